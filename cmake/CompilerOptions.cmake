@@ -1,0 +1,11 @@
+# What every target of the project is compiled with.
+add_library(vkbake_options INTERFACE)
+target_compile_features(vkbake_options INTERFACE cxx_std_20)
+# No contraction: hit or miss must not depend on which multiply-adds a compiler fuses.
+target_compile_options(vkbake_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off -fno-fast-math)
+if(VKBAKE_SANITIZE)
+    target_compile_options(vkbake_options INTERFACE
+        -fsanitize=${VKBAKE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(vkbake_options INTERFACE -fsanitize=${VKBAKE_SANITIZE})
+endif()

@@ -1,0 +1,16 @@
+# One target a folder of src: vkbake_folder(NAME [USES library…]).
+# Which folder may include which is not told here but held by tests/house.
+function(vkbake_folder name)
+    cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    add_library(vkbake_${name} OBJECT ${sources})
+    set_target_properties(vkbake_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(vkbake_${name} PRIVATE
+        ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/shaders/glsl/shared)
+    target_link_libraries(vkbake_${name} PRIVATE vkbake_options glm::glm ${ARG_USES})
+    set_property(GLOBAL APPEND PROPERTY VKBAKE_FOLDERS vkbake_${name})
+    set_property(GLOBAL APPEND PROPERTY VKBAKE_USES ${ARG_USES})
+endfunction()

@@ -1,0 +1,29 @@
+// The difference between two images, over the texels that both cover.
+#pragma once
+
+#include <cstdint>
+
+#include "vkbake/image.hpp"
+
+namespace vkbake {
+
+/// Errors of luminance-free RGB: each channel counts alike. Coverage (alpha where a file has no coverage) above ½ covers a texel.
+struct Comparison {
+    std::uint64_t covered_a = 0;
+    std::uint64_t covered_b = 0;
+    std::uint64_t covered_both = 0;
+    std::uint64_t not_finite = 0;           ///< texels left out because a value of either is NaN or infinite
+    double root_mean_square = 0.0;          ///< of the differences of all channels
+    double relative_root_mean_square = 0.0; ///< root_mean_square ÷ mean of A's channels; 0 where both are 0
+    double mean_a = 0.0;
+    double mean_b = 0.0;
+    double maximum = 0.0; ///< the largest absolute difference of a channel
+    int maximum_x = 0;    ///< where it is
+    int maximum_y = 0;
+    Image difference; ///< RGB: |a − b| per channel, A: 1 where compared
+};
+
+/// Throws Error{bad_input} where the sizes differ or no texel is covered by both.
+[[nodiscard]] Comparison compare(const Image& a, const Image& b);
+
+} // namespace vkbake

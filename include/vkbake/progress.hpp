@@ -1,0 +1,19 @@
+// How a long bake tells where it is, and how it is stopped.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+namespace vkbake {
+
+struct ProgressReport {
+    std::string_view stage;      ///< "atlas", "geometry image", "trace", "finish", "write"
+    double share = 0.0;          ///< of this stage, 0 … 1, never falling within a stage
+    double rays_per_second = 0.0; ///< while tracing, otherwise 0
+};
+
+/// Called from the thread that called bake, at least once a stage and some ten times a second while tracing.
+/// Return false to stop: bake then throws Error{interrupted}. May be empty.
+using Progress = std::function<bool(const ProgressReport&)>;
+
+} // namespace vkbake

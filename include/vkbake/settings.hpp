@@ -1,0 +1,42 @@
+// What a bake is asked for. Every field has the default that suits a first run; flags only fill it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace vkbake {
+
+enum class Layout : std::uint8_t { atlas, object }; ///< one map for the scene (pages as needed), or one for each object
+enum class UvSource : std::uint8_t { automatic, keep, make }; ///< automatic: keep TEXCOORD_1 where it will do, make it elsewhere
+enum class Mode : std::uint8_t { irradiance, ao };  ///< E/π, or cosine-weighted visibility
+enum class Sampler : std::uint8_t { cosine, thesis };
+enum class Accelerator : std::uint8_t { bvh, clusters, brute };
+enum class TriangleTest : std::uint8_t { watertight, moller_trumbore };
+
+struct Settings {
+    // Atlas
+    int size = 1024;               ///< side of a page or an object's map, texels; 1 … 16384
+    std::optional<double> density; ///< texels per metre, > 0; absent: the largest that fits one page
+    Layout layout = Layout::atlas;
+    UvSource uv = UvSource::automatic;
+    int gutter = 2;     ///< empty texels between charts that are made; 0 … 64
+    int max_pages = 16; ///< ≥ 1
+
+    // Light
+    Mode mode = Mode::irradiance;
+    std::optional<double> ao_distance; ///< metres, > 0; mode ao only: farther hits do not occlude. Absent: no limit
+    std::uint32_t rays = 256;          ///< a texel; ≥ 1. Sampler `thesis` always takes its own 256
+    Sampler sampler = Sampler::cosine;
+    Accelerator accelerator = Accelerator::bvh;
+    TriangleTest triangle_test = TriangleTest::watertight; ///< moller_trumbore: accelerators brute and clusters only
+    int cluster_splits = 4;                                ///< parts an axis is cut into (the thesis has 4); 1 … 64
+    std::uint64_t seed = 0;
+
+    // Finish
+    int padding = 8; ///< rounds of dilation; 0 … 1024
+
+    // Machine
+    int threads = 0; ///< workers that trace; 0: all that the machine has. Never changes the result
+};
+
+} // namespace vkbake

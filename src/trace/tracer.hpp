@@ -1,0 +1,39 @@
+// Geometry image → light map.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "vkbake/geometry_image.hpp"
+#include "vkbake/lightmap.hpp"
+#include "vkbake/settings.hpp"
+#include "vkbake/sky.hpp"
+#include "vkbake/surface.hpp"
+
+namespace vkbake {
+
+/// How far one map is: texels done of all its covered texels, and rays traced so far. Returns false to stop.
+using TraceProgress = std::function<bool(double share, std::uint64_t rays)>;
+
+/// Holds what all maps of a bake share: the accelerator over the surface and the sky made ready for look-ups.
+/// The surface must outlive it.
+class Tracer {
+public:
+    /// Throws Error{usage} for settings that contradict each other.
+    Tracer(const Surface& surface, const Sky& sky, const Settings& settings);
+    ~Tracer();
+    Tracer(Tracer&&) noexcept;
+    Tracer& operator=(Tracer&&) noexcept;
+    Tracer(const Tracer&) = delete;
+    Tracer& operator=(const Tracer&) = delete;
+
+    /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called from the
+    /// calling thread only. Throws Error{interrupted} where it returned false.
+    [[nodiscard]] LightMap trace(const GeometryImage& geometry, const TraceProgress& progress = {}) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace vkbake
