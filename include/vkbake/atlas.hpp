@@ -17,12 +17,12 @@ struct AtlasPage {
 
 struct Atlas {
     std::vector<AtlasPage> pages;
-    std::vector<glm::vec2> uvs;       ///< 3 a triangle (as Surface's corners), [0,1] of its page, (0,0) the upper left corner
+    std::vector<glm::vec2> uvs; ///< 3 a triangle (as Surface's corners), [0,1] of its page, (0,0) the upper left corner
     std::vector<std::uint32_t> page;  ///< 1 a triangle: index in `pages`
     std::vector<std::uint32_t> chart; ///< 1 a triangle: charts are numbered through all pages
     std::uint32_t chart_count = 0;
-    double density = 0.0;             ///< texels per metre of the charts that were made; 0 where all UVs were kept
-    std::vector<std::string> notes;   ///< e.g. which object's UVs were kept or why they were not
+    double density = 0.0;           ///< texels per metre of the charts that were made; 0 where all UVs were kept
+    std::vector<std::string> notes; ///< e.g. which object's UVs were kept or why they were not
 };
 
 } // namespace vkbake

@@ -7,7 +7,8 @@
 
 namespace vkbake {
 
-/// Errors of luminance-free RGB: each channel counts alike. Coverage (alpha where a file has no coverage) above ½ covers a texel.
+/// Errors of luminance-free RGB: each channel counts alike. Coverage (alpha where a file has no coverage) above ½
+/// covers a texel.
 struct Comparison {
     std::uint64_t covered_a = 0;
     std::uint64_t covered_b = 0;

@@ -25,15 +25,16 @@ private:
 struct DeviceReport {
     std::string name;
     std::string driver;
-    std::string type;                  ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
+    std::string type; ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
     bool usable = false;
     bool deterministic = false;        ///< its self-test of correctly rounded add and multiply passed
     std::vector<std::string> refusals; ///< why it is not usable, a line each
 };
 
 struct DeviceOptions {
-    std::string name;        ///< part of a device's name, any case; empty: the first usable, GPUs before CPUs
-    bool validation = false; ///< with the Khronos validation layer and synchronization validation, if installed; its messages throw
+    std::string name; ///< part of a device's name, any case; empty: the first usable, GPUs before CPUs
+    bool validation =
+        false; ///< with the Khronos validation layer and synchronization validation, if installed; its messages throw
 };
 
 /// Throws Error{no_device} with the reasons for which each device was refused.

@@ -16,10 +16,11 @@ struct GeometryImage {
 
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> triangle;      ///< index in Surface, or `empty`
-    std::vector<glm::vec3> position;          ///< bake frame: the texel's sample point (the centre, or the nearest point that the triangle has in the square)
-    std::vector<glm::vec3> shading_normal;    ///< unit, on the geometric normal's side
-    std::vector<glm::vec3> geometric_normal;  ///< unit
+    std::vector<std::uint32_t> triangle; ///< index in Surface, or `empty`
+    std::vector<glm::vec3> position; ///< bake frame: the texel's sample point (the centre, or the nearest point that
+                                     ///< the triangle has in the square)
+    std::vector<glm::vec3> shading_normal;   ///< unit, on the geometric normal's side
+    std::vector<glm::vec3> geometric_normal; ///< unit
 
     [[nodiscard]] std::size_t texel_count() const { return triangle.size(); }
 };

@@ -18,18 +18,18 @@ struct Inspection {
     std::size_t materials = 0;
     std::size_t images = 0;
     std::size_t cameras = 0;
-    std::uint64_t triangles = 0;        ///< over all instances
-    double area = 0.0;                  ///< square metres, over all instances
-    glm::dvec3 box_low{0.0};            ///< metres
+    std::uint64_t triangles = 0; ///< over all instances
+    double area = 0.0;           ///< square metres, over all instances
+    glm::dvec3 box_low{0.0};     ///< metres
     glm::dvec3 box_high{0.0};
-    std::size_t instances_with_uvs = 0; ///< whose primitives all have TEXCOORD_1
+    std::size_t instances_with_uvs = 0;  ///< whose primitives all have TEXCOORD_1
     std::vector<std::string> light_maps; ///< that baked materials refer to
     // What a bake with the settings given would make
     std::uint32_t charts = 0;
     std::size_t pages = 0;
-    double density = 0.0;               ///< texels per metre; 0 where all UVs are kept
-    std::uint64_t covered_texels = 0;   ///< estimate
-    std::uint64_t rays = 0;             ///< estimate
+    double density = 0.0;             ///< texels per metre; 0 where all UVs are kept
+    std::uint64_t covered_texels = 0; ///< estimate
+    std::uint64_t rays = 0;           ///< estimate
     std::vector<std::string> notes;
 };
 

@@ -15,7 +15,7 @@ namespace vkbake {
 /// Counts over one map. All but `seconds` are the same for every machine, thread count and accelerator.
 struct LightMapStatistics {
     std::uint64_t covered_texels = 0;
-    std::uint64_t rays = 0;               ///< traced
+    std::uint64_t rays = 0; ///< traced
     std::uint64_t occluded_rays = 0;
     std::uint64_t skipped_directions = 0; ///< at or below the geometric plane: add nothing, not traced
     std::uint64_t probed_hits = 0;        ///< hits among the rays whose nearest hit was looked at (one in 16)

@@ -7,8 +7,8 @@
 namespace vkbake {
 
 struct ProgressReport {
-    std::string_view stage;      ///< "atlas", "geometry image", "trace", "finish", "write"
-    double share = 0.0;          ///< of this stage, 0 … 1, never falling within a stage
+    std::string_view stage;       ///< "atlas", "geometry image", "trace", "finish", "write"
+    double share = 0.0;           ///< of this stage, 0 … 1, never falling within a stage
     double rays_per_second = 0.0; ///< while tracing, otherwise 0
 };
 

@@ -39,9 +39,9 @@ enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// The light map that a baked material refers to (MOZ_lightmap, extras.vkbake).
 struct LightMapUse {
-    TextureUse texture;        ///< sRGB 8-bit; irradiance E = intensity × linear value
+    TextureUse texture; ///< sRGB 8-bit; irradiance E = intensity × linear value
     float intensity = 1.0F;
-    std::string linear_file;   ///< the EXR with E/π, relative to the scene's file; empty: none named
+    std::string linear_file; ///< the EXR with E/π, relative to the scene's file; empty: none named
 };
 
 struct Material {
@@ -59,13 +59,13 @@ struct Material {
 
 /// Triangles of one material, in the mesh's own space (metres, +Y up).
 struct Primitive {
-    std::vector<glm::vec3> positions;                      ///< one a vertex, finite
-    std::vector<glm::vec3> normals;                        ///< one a vertex, any length but 0; empty: flat normals
-    std::array<std::vector<glm::vec2>, 4> tex_coords;      ///< TEXCOORD_0 … 3; empty where absent, otherwise one a vertex
-    std::vector<glm::vec4> colors;                         ///< COLOR_0, linear; empty where absent
-    std::vector<std::uint32_t> indices;                    ///< three a triangle, counter-clockwise seen from the front; < positions.size()
-    std::optional<std::uint32_t> material;                 ///< index in Scene::materials; absent: glTF's default material
-    std::uint32_t source_primitive = 0;                    ///< index among the source mesh's primitives (some are skipped: points, lines)
+    std::vector<glm::vec3> positions;                 ///< one a vertex, finite
+    std::vector<glm::vec3> normals;                   ///< one a vertex, any length but 0; empty: flat normals
+    std::array<std::vector<glm::vec2>, 4> tex_coords; ///< TEXCOORD_0 … 3; empty where absent, otherwise one a vertex
+    std::vector<glm::vec4> colors;                    ///< COLOR_0, linear; empty where absent
+    std::vector<std::uint32_t> indices; ///< three a triangle, counter-clockwise seen from the front; < positions.size()
+    std::optional<std::uint32_t> material; ///< index in Scene::materials; absent: glTF's default material
+    std::uint32_t source_primitive = 0; ///< index among the source mesh's primitives (some are skipped: points, lines)
 };
 
 struct Mesh {
@@ -76,9 +76,9 @@ struct Mesh {
 
 /// A mesh put into the world: world = linear · v + translation, composed in double precision over all parent nodes.
 struct Instance {
-    std::string name;        ///< the node's name, or "node N"; not unique
-    std::uint32_t mesh = 0;  ///< index in Scene::meshes
-    glm::dmat3 linear{1.0};  ///< rotation, scale, shear; a negative determinant turns the winding
+    std::string name;       ///< the node's name, or "node N"; not unique
+    std::uint32_t mesh = 0; ///< index in Scene::meshes
+    glm::dmat3 linear{1.0}; ///< rotation, scale, shear; a negative determinant turns the winding
     glm::dvec3 translation{0.0};
     std::uint32_t source_node = 0; ///< index in the source document's nodes
 };
@@ -96,7 +96,7 @@ struct Camera {
 /// The source document made plain: one buffer, no compression, no sparse accessor, every image embedded.
 /// It is what write_bake puts the light maps into, so that nothing of the source is lost.
 struct SourceDocument {
-    std::string json;            ///< glTF 2.0 JSON, UTF-8; accessors and images point into `binary`
+    std::string json; ///< glTF 2.0 JSON, UTF-8; accessors and images point into `binary`
     std::vector<std::byte> binary;
 };
 
@@ -108,8 +108,9 @@ struct Scene {
     std::vector<EncodedImage> images;
     std::vector<Camera> cameras;
     std::vector<std::string> notes; ///< what was left out or looks odd, a line each
-    std::optional<SourceDocument> source; ///< absent for scenes made by hand: they can be baked, and written as images only
-    std::string directory;                ///< where the scene's file lies; empty for scenes made by hand
+    std::optional<SourceDocument>
+        source;            ///< absent for scenes made by hand: they can be baked, and written as images only
+    std::string directory; ///< where the scene's file lies; empty for scenes made by hand
 };
 
 } // namespace vkbake

@@ -7,8 +7,12 @@
 namespace vkbake {
 
 enum class Layout : std::uint8_t { atlas, object }; ///< one map for the scene (pages as needed), or one for each object
-enum class UvSource : std::uint8_t { automatic, keep, make }; ///< automatic: keep TEXCOORD_1 where it will do, make it elsewhere
-enum class Mode : std::uint8_t { irradiance, ao };  ///< E/π, or cosine-weighted visibility
+enum class UvSource : std::uint8_t {
+    automatic,
+    keep,
+    make
+};                                                 ///< automatic: keep TEXCOORD_1 where it will do, make it elsewhere
+enum class Mode : std::uint8_t { irradiance, ao }; ///< E/π, or cosine-weighted visibility
 enum class Sampler : std::uint8_t { cosine, thesis };
 enum class Accelerator : std::uint8_t { bvh, clusters, brute };
 enum class TriangleTest : std::uint8_t { watertight, moller_trumbore };

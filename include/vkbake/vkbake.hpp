@@ -24,8 +24,8 @@ namespace vkbake {
 /// Reads .gltf or .glb. Throws Error{bad_input} that names file, node, mesh or accessor.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file);
 
-/// `text`: "clear", "R,G,B", an equirectangular .hdr/.exr, a cube map as a strip or cross (found from its aspect), or six
-/// files in Vulkan's face order, separated by commas. Throws Error{bad_input}.
+/// `text`: "clear", "R,G,B", an equirectangular .hdr/.exr, a cube map as a strip or cross (found from its aspect), or
+/// six files in Vulkan's face order, separated by commas. Throws Error{bad_input}.
 [[nodiscard]] Sky load_sky(const std::string& text);
 
 /// Atlas, geometry image, trace, finish. The same input gives the same bytes (all but `seconds`).
@@ -40,15 +40,15 @@ struct WriteSettings {
     std::string command; ///< kept in the manifest as provenance; may be empty
 };
 
-/// Writes lightmaps/NAME.exr, SCENE.glb (where the scene has a source) and, last, manifest.json; returns their paths, relative
-/// to the directory, manifest last. Each appears under its name only when complete. Throws Error{output}.
+/// Writes lightmaps/NAME.exr, SCENE.glb (where the scene has a source) and, last, manifest.json; returns their paths,
+/// relative to the directory, manifest last. Each appears under its name only when complete. Throws Error{output}.
 std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings);
 
 /// Any format that OpenImageIO reads; 8-bit files are taken for sRGB and linearised. Throws Error{bad_input}.
 [[nodiscard]] Image read_image(const std::filesystem::path& file);
 
-/// EXR and HDR: the values as they are (EXR with coverage); PNG: 8 bits, the values clamped to [0,1] and written as they are
-/// (render's are encoded already). Written beside, then renamed. Throws Error{output}.
+/// EXR and HDR: the values as they are (EXR with coverage); PNG: 8 bits, the values clamped to [0,1] and written as
+/// they are (render's are encoded already). Written beside, then renamed. Throws Error{output}.
 void write_image(const std::filesystem::path& file, const Image& image);
 
 } // namespace vkbake

@@ -6,8 +6,8 @@
 
 namespace vkbake {
 
-/// Calls body(begin, end) for disjoint ranges that together are [0, count), each at most `grain` long, on up to `threads`
-/// workers (0: all that the machine has). The order is not defined: what body computes must not depend on it.
+/// Calls body(begin, end) for disjoint ranges that together are [0, count), each at most `grain` long, on up to
+/// `threads` workers (0: all that the machine has). The order is not defined: what body computes must not depend on it.
 /// Each worker rounds to nearest and keeps denormals, whatever the host has set, and restores the host's state.
 /// An exception of body ends the loop and is rethrown here.
 void parallel_ranges(std::size_t count, std::size_t grain, int threads,
