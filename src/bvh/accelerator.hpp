@@ -1,0 +1,74 @@
+// Triangles made ready for rays: which is hit first, and whether any is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <glm/vec3.hpp>
+
+#include "vkbake/settings.hpp"
+
+namespace vkbake {
+
+/// Meets a triangle where 0 < t < max_distance, at origin + t · direction. The direction need not be a unit vector; its
+/// largest component must lie in [2⁻⁶⁰, 2⁶⁰] in magnitude, the others may be anything finite (±0, denormal).
+/// A ray that is not so, or has a component that is not finite, meets nothing.
+struct Ray {
+    glm::vec3 origin{0.0F};
+    glm::vec3 direction{0.0F};
+    float max_distance = std::numeric_limits<float>::infinity(); ///< in units of |direction|
+};
+
+struct Hit {
+    std::uint32_t triangle = 0; ///< as numbered in the positions
+    float distance = 0.0F;      ///< t, in units of |direction|
+    bool back_side = false;     ///< the corners run clockwise as the ray sees them
+};
+
+struct AcceleratorSettings {
+    Accelerator kind = Accelerator::bvh;
+    TriangleTest test = TriangleTest::watertight; ///< moller_trumbore: brute and clusters only
+    int cluster_splits = 4;                       ///< parts an axis is cut into; 1 … 64
+    int threads = 0;                              ///< workers of the build; 0: all. Never changes what is built
+};
+
+/// What a build gave, for reports and tests.
+struct AcceleratorStatistics {
+    std::size_t triangles = 0; ///< those that have an area: the others are dropped
+    std::size_t clusters = 0;
+    std::size_t nodes = 0;  ///< inner nodes of the hierarchy
+    std::size_t leaves = 0; ///< leaves of the hierarchy
+    std::size_t depth = 0;  ///< inner nodes on the longest way from the root to a leaf
+    std::size_t bytes = 0;  ///< held while tracing
+};
+
+/// A set of triangles that answers rays. With the same test every kind gives the same answer to every ray, bit for bit:
+/// a box never hides a triangle that the test would hit. Triangles without area (their corners on a line) never block.
+/// Both sides block. Rays may be asked from any number of threads; nothing is allocated while tracing.
+class TriangleAccelerator {
+public:
+    /// `positions`: 3 a triangle, finite; they are copied. `canonical_order`: every triangle once, as in Surface; of
+    /// hits at equal distance the first in this order wins. What is built depends on the triangles in this order only.
+    /// Throws Error{usage} for settings that contradict each other or are out of range.
+    TriangleAccelerator(std::span<const glm::vec3> positions, std::span<const std::uint32_t> canonical_order,
+                        const AcceleratorSettings& settings);
+    ~TriangleAccelerator();
+    TriangleAccelerator(TriangleAccelerator&&) noexcept;
+    TriangleAccelerator& operator=(TriangleAccelerator&&) noexcept;
+    TriangleAccelerator(const TriangleAccelerator&) = delete;
+    TriangleAccelerator& operator=(const TriangleAccelerator&) = delete;
+
+    [[nodiscard]] bool occluded(const Ray& ray) const;              ///< whether anything is met
+    [[nodiscard]] std::optional<Hit> nearest(const Ray& ray) const; ///< what is met first
+    [[nodiscard]] AcceleratorStatistics statistics() const;
+
+private:
+    struct State;
+    std::unique_ptr<const State> m_state;
+};
+
+} // namespace vkbake

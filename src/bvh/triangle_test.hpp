@@ -1,0 +1,121 @@
+// Ray against triangle. The only place where hit or miss is decided.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "bvh/prepared_ray.hpp"
+#include "bvh/triangle_list.hpp"
+
+namespace vkbake {
+
+struct TriangleHit {
+    bool hit = false;
+    bool back_side = false;
+    float distance = 0.0F;
+};
+
+/// The plane of the shear: the ray is its origin. T is float, or a vector of floats with + − * that round alike.
+template<class T>
+struct ShearedTriangle {
+    T ax, ay, bx, by, cx, cy;
+};
+
+/// Twice the signed areas that the ray makes with each side. The sign is never wrong: rounding is monotone, so it can
+/// only turn a sign into 0. Two triangles that share a side compute it with one sign turned, and the same bits
+/// otherwise.
+template<class T>
+struct EdgeFunctions {
+    T u, v, w;
+
+    explicit EdgeFunctions(const ShearedTriangle<T>& t)
+        : u(t.cx * t.by - t.cy * t.bx), v(t.ax * t.cy - t.ay * t.cx), w(t.bx * t.ay - t.by * t.ax) {}
+};
+
+/// Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013). Float edge functions reject; what they let pass,
+/// and what they leave at 0, is computed again in double, where the products are exact. Double for all that passes, not
+/// for the zeros alone as in the paper: hits are rare beside misses, and t is then as good as the sheared corners are,
+/// on which PreparedRay's pad relies.
+[[nodiscard]] inline TriangleHit test_watertight(const PreparedRay& ray, const Triangle& triangle) {
+    const glm::vec3 a = triangle.corners[0] - ray.origin;
+    const glm::vec3 b = triangle.corners[1] - ray.origin;
+    const glm::vec3 c = triangle.corners[2] - ray.origin;
+    const int x = ray.x_axis;
+    const int y = ray.y_axis;
+    const int z = ray.z_axis;
+    const ShearedTriangle<float> sheared{a[x] - ray.shear_x * a[z], a[y] - ray.shear_y * a[z],
+                                         b[x] - ray.shear_x * b[z], b[y] - ray.shear_y * b[z],
+                                         c[x] - ray.shear_x * c[z], c[y] - ray.shear_y * c[z]};
+    const EdgeFunctions<float> coarse(sheared);
+    if (std::min({coarse.u, coarse.v, coarse.w}) < 0.0F && std::max({coarse.u, coarse.v, coarse.w}) > 0.0F) {
+        return {};
+    }
+    const EdgeFunctions<double> edge({sheared.ax, sheared.ay, sheared.bx, sheared.by, sheared.cx, sheared.cy});
+    const bool front = edge.u >= 0.0 && edge.v >= 0.0 && edge.w >= 0.0;
+    const bool back = edge.u <= 0.0 && edge.v <= 0.0 && edge.w <= 0.0;
+    const double determinant = edge.u + edge.v + edge.w;
+    if (!(front || back) || determinant == 0.0) {
+        return {};
+    }
+    const double scaled =
+        edge.u * static_cast<double>(a[z]) + edge.v * static_cast<double>(b[z]) + edge.w * static_cast<double>(c[z]);
+    const auto distance = static_cast<float>(scaled / (determinant * static_cast<double>(ray.direction[z])));
+    return {distance > 0.0F && distance < ray.max_distance, back, distance};
+}
+
+/// Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), in the form of the thesis, §2.7.1: not
+/// watertight. A hit must also lie in the triangle's own padded box, which refuses only what rounding invented (a
+/// triangle seen edge-on may "meet" a ray far away from it), and by which no larger box can hide a hit.
+[[nodiscard]] inline TriangleHit test_moller_trumbore(const PreparedRay& ray, const Triangle& triangle) {
+    const glm::vec3 e1 = triangle.corners[0] - triangle.corners[2];
+    const glm::vec3 e2 = triangle.corners[1] - triangle.corners[2];
+    const glm::vec3 p = glm::cross(ray.direction, e2);
+    const float determinant = glm::dot(p, e1);
+    if (determinant == 0.0F) {
+        return {};
+    }
+    const glm::vec3 to_origin = ray.origin - triangle.corners[2];
+    const float u = glm::dot(p, to_origin) / determinant;
+    if (!(u >= 0.0F && u <= 1.0F)) {
+        return {};
+    }
+    const glm::vec3 q = glm::cross(to_origin, e1);
+    const float v = glm::dot(q, ray.direction) / determinant;
+    if (!(v >= 0.0F && u + v <= 1.0F)) {
+        return {};
+    }
+    const float distance = glm::dot(q, e2) / determinant;
+    const Interval own = pass(ray, triangle.bounds());
+    const bool hit = distance > 0.0F && distance < ray.max_distance && own.entry <= distance && distance <= own.exit;
+    return {hit, determinant < 0.0F, distance};
+}
+
+[[nodiscard]] inline TriangleHit test_triangle(TriangleTest test, const PreparedRay& ray, const Triangle& triangle) {
+    return test == TriangleTest::watertight ? test_watertight(ray, triangle) : test_moller_trumbore(ray, triangle);
+}
+
+/// The nearest hit so far; of equal distances the one of least rank (see TriangleList).
+struct NearestHit {
+    float distance;
+    std::uint32_t rank = 0;
+    bool back_side = false;
+    bool found = false;
+
+    explicit NearestHit(const PreparedRay& ray) : distance(ray.max_distance) {}
+
+    void offer(const TriangleHit& candidate, std::uint32_t candidate_rank) {
+        const bool better =
+            candidate.distance < distance || (found && candidate.distance == distance && candidate_rank < rank);
+        if (candidate.hit && better) {
+            *this = NearestHit(candidate, candidate_rank);
+        }
+    }
+
+private:
+    NearestHit(const TriangleHit& hit, std::uint32_t hit_rank)
+        : distance(hit.distance), rank(hit_rank), back_side(hit.back_side), found(true) {}
+};
+
+} // namespace vkbake
