@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bvh/brute_force.hpp"
+#include "bvh/cluster_list.hpp"
 #include "bvh/triangle_list.hpp"
 #include "vkbake/error.hpp"
 
@@ -29,10 +30,15 @@ void check(const AcceleratorSettings& settings) {
 }
 
 std::unique_ptr<RayCaster> make_caster(std::vector<Triangle> triangles, const AcceleratorSettings& settings) {
-    if (settings.kind != Accelerator::brute) {
-        throw Error(ErrorKind::usage, "accelerator: only brute is there so far; choose it");
+    switch (settings.kind) {
+    case Accelerator::brute:
+        return std::make_unique<BruteForce>(std::move(triangles), settings.test);
+    case Accelerator::clusters:
+        return std::make_unique<ClusterList>(triangles, settings.cluster_splits, settings.threads, settings.test);
+    case Accelerator::bvh:
+        break;
     }
-    return std::make_unique<BruteForce>(std::move(triangles), settings.test);
+    throw Error(ErrorKind::usage, "accelerator: only brute and clusters are there so far; choose one of these");
 }
 
 } // namespace

@@ -1,0 +1,27 @@
+// The thesis's accelerator: a flat list of clusters.
+#pragma once
+
+#include <vector>
+
+#include "bvh/clusters.hpp"
+#include "bvh/ray_caster.hpp"
+
+namespace vkbake {
+
+/// Walks all clusters in order; where the ray passes a cluster's box, all of its triangles. As in the thesis (§3.3.3)
+/// it stops at the first hit if any will do, and skips nothing else.
+class ClusterList final : public RayCaster {
+public:
+    ClusterList(const std::vector<Triangle>& triangles, int splits, int threads, TriangleTest test);
+
+    [[nodiscard]] bool occluded(const PreparedRay& ray) const override;
+    [[nodiscard]] NearestHit nearest(const PreparedRay& ray) const override;
+    [[nodiscard]] AcceleratorStatistics statistics() const override;
+
+private:
+    Clustering m_clustering;
+    std::vector<Triangle> m_triangles; // as m_clustering.ranks
+    TriangleTest m_test;
+};
+
+} // namespace vkbake
