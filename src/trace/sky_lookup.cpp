@@ -1,0 +1,232 @@
+#include "trace/sky_lookup.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "vkbake/error.hpp"
+
+namespace vkbake {
+
+namespace {
+
+/// The coefficients of type 12 (gradation group 5, indicatrix group 4).
+namespace clear {
+constexpr double a = -1.0;
+constexpr double b = -0.32;
+constexpr double c = 10.0;
+constexpr double d = -3.0;
+constexpr double e = 0.45;
+constexpr double sun_sine = 1.0 / std::numbers::sqrt2;
+constexpr double sun_cosine = 1.0 / std::numbers::sqrt2;
+static_assert(ClearSkyLookup::sun_elevation_degrees == 45.0);
+} // namespace clear
+
+[[noreturn]] void refuse(ErrorKind kind, const std::string& message) { throw Error(kind, "sky: " + message); }
+
+void check_picture(const Image& image) {
+    if (image.width < 1 || image.height < 1 ||
+        image.texels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
+        refuse(ErrorKind::bad_input, "the picture has no texels or not as many as its size says; give a whole picture");
+    }
+}
+
+void copy_inside(BorderedImage& to, const Image& from) {
+    for (int y = 0; y < from.height; ++y) {
+        for (int x = 0; x < from.width; ++x) {
+            to.at(x, y) = glm::vec3(from.texels[from.index(x, y)]);
+        }
+    }
+}
+
+/// The point of the cube's surface that cube_point maps to (face, s, t); beyond the face's border for s, t outside [0,
+/// 1].
+glm::dvec3 cube_direction(int face, double s, double t) {
+    const double sc = 2.0 * s - 1.0;
+    const double tc = 2.0 * t - 1.0;
+    switch (face) {
+    case 0:
+        return {1.0, -tc, -sc};
+    case 1:
+        return {-1.0, -tc, sc};
+    case 2:
+        return {sc, 1.0, tc};
+    case 3:
+        return {sc, -1.0, -tc};
+    case 4:
+        return {sc, -tc, 1.0};
+    default:
+        return {-sc, -tc, -1.0};
+    }
+}
+
+/// The texel next to a face's border, on the face beyond it.
+glm::vec3 texel_beyond(const CubeSky& sky, int face, double s, double t) {
+    const CubePoint point = cube_point(cube_direction(face, s, t));
+    const Image& image = sky.faces[static_cast<std::size_t>(point.face)];
+    const auto texel = [&](double coordinate) {
+        return std::clamp(static_cast<int>(coordinate * image.width), 0, image.width - 1);
+    };
+    return glm::vec3(image.texels[image.index(texel(point.s), texel(point.t))]);
+}
+
+BorderedImage bordered_face(const CubeSky& sky, int face) {
+    const Image& image = sky.faces[static_cast<std::size_t>(face)];
+    const int size = image.width;
+    BorderedImage bordered(size, size);
+    copy_inside(bordered, image);
+    // So little beyond the border that, seen from the centre, the place along it stays inside its texel.
+    const double beyond = 1.0 / (8.0 * size);
+    for (int i = 0; i < size; ++i) {
+        const double along = (i + 0.5) / size;
+        bordered.at(-1, i) = texel_beyond(sky, face, -beyond, along);
+        bordered.at(size, i) = texel_beyond(sky, face, 1.0 + beyond, along);
+        bordered.at(i, -1) = texel_beyond(sky, face, along, -beyond);
+        bordered.at(i, size) = texel_beyond(sky, face, along, 1.0 + beyond);
+    }
+    for (const int x : {-1, size}) {
+        for (const int y : {-1, size}) {
+            const int inner_x = std::clamp(x, 0, size - 1);
+            const int inner_y = std::clamp(y, 0, size - 1);
+            bordered.at(x, y) =
+                (bordered.at(inner_x, inner_y) + bordered.at(x, inner_y) + bordered.at(inner_x, y)) / 3.0F;
+        }
+    }
+    return bordered;
+}
+
+BorderedImage bordered_panorama(const Image& image) {
+    check_picture(image);
+    BorderedImage bordered(image.width, image.height);
+    copy_inside(bordered, image);
+    for (int y = 0; y < image.height; ++y) {
+        bordered.at(-1, y) = bordered.at(image.width - 1, y);
+        bordered.at(image.width, y) = bordered.at(0, y);
+    }
+    for (int x = -1; x <= image.width; ++x) {
+        bordered.at(x, -1) = bordered.at(x, 0);
+        bordered.at(x, image.height) = bordered.at(x, image.height - 1);
+    }
+    return bordered;
+}
+
+std::array<BorderedImage, 6> bordered_cube(const CubeSky& sky) {
+    for (const Image& face : sky.faces) {
+        check_picture(face);
+        if (face.width != face.height || face.width != sky.faces[0].width) {
+            refuse(ErrorKind::bad_input,
+                   "the faces of the cube are not square or not of one size; give six equal squares");
+        }
+    }
+    return {bordered_face(sky, 0), bordered_face(sky, 1), bordered_face(sky, 2),
+            bordered_face(sky, 3), bordered_face(sky, 4), bordered_face(sky, 5)};
+}
+
+/// The greatest finite value; values that are no numbers are the reader's to refuse.
+float greatest_value(const Image& image) {
+    float greatest = 0.0F;
+    for (const glm::vec4& texel : image.texels) {
+        for (const float value : {texel.x, texel.y, texel.z}) {
+            if (value > greatest && value <= std::numeric_limits<float>::max()) {
+                greatest = value;
+            }
+        }
+    }
+    return greatest;
+}
+
+struct GreatestRadiance {
+    float operator()(const ConstantSky& sky) const {
+        return std::max({sky.radiance.x, sky.radiance.y, sky.radiance.z});
+    }
+    float operator()(const ClearSky& /*sky*/) const { return 8.0F; } // at the sun 7.3
+    float operator()(const EquirectangularSky& sky) const { return greatest_value(sky.image); }
+    float operator()(const CubeSky& sky) const {
+        float greatest = 0.0F;
+        for (const Image& face : sky.faces) {
+            greatest = std::max(greatest, greatest_value(face));
+        }
+        return greatest;
+    }
+};
+
+struct MakeLookup {
+    SkyTurn turn;
+    SkyLookup operator()(const ConstantSky& sky) const { return ConstantLookup(sky.radiance); }
+    SkyLookup operator()(const ClearSky& /*sky*/) const { return ClearSkyLookup(turn); }
+    SkyLookup operator()(const EquirectangularSky& sky) const { return EquirectangularLookup(sky, turn); }
+    SkyLookup operator()(const CubeSky& sky) const { return CubeLookup(sky, turn); }
+};
+
+} // namespace
+
+ClearSkyLookup::ClearSkyLookup(const SkyTurn& turn)
+    : m_turn(turn), m_scale(1.0 / relative_luminance(glm::vec3(0.0F, 1.0F, 0.0F))) {}
+
+double ClearSkyLookup::relative_luminance(const glm::vec3& direction) const {
+    using namespace clear;
+    const double x = direction.x;
+    const double y = direction.y;
+    const double z = direction.z;
+    // Below 1/100 the exponential, e⁻³² there, is lost beside 1: no division by a zero at the horizon.
+    const double gradation = 1.0 + a * exponential(b / std::max(y, 0.01));
+
+    const double along = x * sun_cosine + y * sun_sine;
+    const double across = y * sun_cosine - x * sun_sine;
+    const double sun_distance = arc_tangent(std::sqrt(across * across + z * z), along);
+    const double indicatrix =
+        1.0 + c * (exponential(d * sun_distance) - exponential(d * std::numbers::pi / 2.0)) + e * along * along;
+    return gradation * indicatrix;
+}
+
+EquirectangularLookup::EquirectangularLookup(const EquirectangularSky& sky, const SkyTurn& turn)
+    : m_turn(turn), m_image(bordered_panorama(sky.image)) {}
+
+CubePoint cube_point(const glm::dvec3& direction) {
+    const double x = direction.x;
+    const double y = direction.y;
+    const double z = direction.z;
+    const double width = std::abs(x);
+    const double height = std::abs(y);
+    const double depth = std::abs(z);
+    const auto place = [](int face, double sc, double tc, double major) {
+        return CubePoint{face, 0.5 * (sc / major + 1.0), 0.5 * (tc / major + 1.0)};
+    };
+    if (depth >= width && depth >= height) {
+        return z < 0.0 ? place(5, -x, -y, depth) : place(4, x, -y, depth);
+    }
+    if (height >= width) {
+        return y < 0.0 ? place(3, x, -z, height) : place(2, x, z, height);
+    }
+    return x < 0.0 ? place(1, z, -y, width) : place(0, -z, -y, width);
+}
+
+CubeLookup::CubeLookup(const CubeSky& sky, const SkyTurn& turn) : m_turn(turn), m_faces(bordered_cube(sky)) {}
+
+SkyLookup make_sky_lookup(const Sky& sky) {
+    if (!std::isfinite(sky.intensity) || sky.intensity < 0.0) {
+        refuse(ErrorKind::usage,
+               "the intensity is " + std::to_string(sky.intensity) + "; give a finite number, 0 or more");
+    }
+    if (!std::isfinite(sky.rotation_degrees)) {
+        refuse(ErrorKind::usage, "the rotation is not a finite number; give degrees");
+    }
+    if (const auto* constant = std::get_if<ConstantSky>(&sky.source)) {
+        for (const float value : {constant->radiance.x, constant->radiance.y, constant->radiance.z}) {
+            if (!std::isfinite(value) || value < 0.0F) {
+                refuse(ErrorKind::usage,
+                       "a constant radiance is not a finite number, 0 or more; give three such numbers");
+            }
+        }
+    }
+    // A little below the greatest float: sums of the greatest value err by some units in the last place.
+    constexpr double greatest_result = 0.999 * std::numeric_limits<float>::max();
+    if (std::visit(GreatestRadiance{}, sky.source) * sky.intensity > greatest_result) {
+        refuse(ErrorKind::bad_input,
+               "its brightest value times the intensity does not fit a float; lower the intensity");
+    }
+    return std::visit(MakeLookup{SkyTurn(sky.rotation_degrees)}, sky.source);
+}
+
+} // namespace vkbake
