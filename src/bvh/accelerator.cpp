@@ -3,8 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/float_state.hpp"
 #include "bvh/brute_force.hpp"
 #include "bvh/cluster_list.hpp"
+#include "bvh/hierarchy_caster.hpp"
 #include "bvh/triangle_list.hpp"
 #include "vkbake/error.hpp"
 
@@ -38,7 +40,7 @@ std::unique_ptr<RayCaster> make_caster(std::vector<Triangle> triangles, const Ac
     case Accelerator::bvh:
         break;
     }
-    throw Error(ErrorKind::usage, "accelerator: only brute and clusters are there so far; choose one of these");
+    return std::make_unique<HierarchyCaster>(build_hierarchy(triangles, settings.cluster_splits, settings.threads));
 }
 
 } // namespace
@@ -47,6 +49,7 @@ TriangleAccelerator::TriangleAccelerator(std::span<const glm::vec3> positions,
                                          std::span<const std::uint32_t> canonical_order,
                                          const AcceleratorSettings& settings) {
     check(settings);
+    const DefaultFloatState state; // what is built must not depend on the caller's either
     TriangleList list = list_triangles(positions, canonical_order);
     auto caster = make_caster(std::move(list.triangles), settings);
     m_state = std::make_unique<State>(State{std::move(list.numbers), list.bounds, std::move(caster)});

@@ -17,22 +17,7 @@ struct TriangleHit {
     float distance = 0.0F;
 };
 
-/// The plane of the shear: the ray is its origin. T is float, or a vector of floats with + − * that round alike.
-template<class T>
-struct ShearedTriangle {
-    T ax, ay, bx, by, cx, cy;
-};
-
-/// Twice the signed areas that the ray makes with each side. The sign is never wrong: rounding is monotone, so it can
-/// only turn a sign into 0. Two triangles that share a side compute it with one sign turned, and the same bits
-/// otherwise.
-template<class T>
-struct EdgeFunctions {
-    T u, v, w;
-
-    explicit EdgeFunctions(const ShearedTriangle<T>& t)
-        : u(t.cx * t.by - t.cy * t.bx), v(t.ax * t.cy - t.ay * t.cx), w(t.bx * t.ay - t.by * t.ax) {}
-};
+#include "bvh/edge_functions.inl"
 
 /// Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013). Float edge functions reject; what they let pass,
 /// and what they leave at 0, is computed again in double, where the products are exact. Double for all that passes, not
@@ -45,11 +30,11 @@ struct EdgeFunctions {
     const int x = ray.x_axis;
     const int y = ray.y_axis;
     const int z = ray.z_axis;
-    const ShearedTriangle<float> sheared{a[x] - ray.shear_x * a[z], a[y] - ray.shear_y * a[z],
-                                         b[x] - ray.shear_x * b[z], b[y] - ray.shear_y * b[z],
-                                         c[x] - ray.shear_x * c[z], c[y] - ray.shear_y * c[z]};
+    const ShearedTriangle<float> sheared{shear(a[x], ray.shear_x, a[z]), shear(a[y], ray.shear_y, a[z]),
+                                         shear(b[x], ray.shear_x, b[z]), shear(b[y], ray.shear_y, b[z]),
+                                         shear(c[x], ray.shear_x, c[z]), shear(c[y], ray.shear_y, c[z])};
     const EdgeFunctions<float> coarse(sheared);
-    if (std::min({coarse.u, coarse.v, coarse.w}) < 0.0F && std::max({coarse.u, coarse.v, coarse.w}) > 0.0F) {
+    if (!(std::min({coarse.u, coarse.v, coarse.w}) >= 0.0F || std::max({coarse.u, coarse.v, coarse.w}) <= 0.0F)) {
         return {};
     }
     const EdgeFunctions<double> edge({sheared.ax, sheared.ay, sheared.bx, sheared.by, sheared.cx, sheared.cy});

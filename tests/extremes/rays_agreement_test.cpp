@@ -165,6 +165,8 @@ void expect_agreement(Accelerator kind, TriangleTest test, int splits) {
 
 TEST(RaysAgreement, ClustersWatertight) { expect_agreement(Accelerator::clusters, TriangleTest::watertight, 4); }
 TEST(RaysAgreement, ClustersWatertightFine) { expect_agreement(Accelerator::clusters, TriangleTest::watertight, 16); }
+TEST(RaysAgreement, Hierarchy) { expect_agreement(Accelerator::bvh, TriangleTest::watertight, 4); }
+TEST(RaysAgreement, HierarchyOfOneCluster) { expect_agreement(Accelerator::bvh, TriangleTest::watertight, 1); }
 TEST(RaysAgreement, ClustersMollerTrumbore) {
     expect_agreement(Accelerator::clusters, TriangleTest::moller_trumbore, 8);
 }
