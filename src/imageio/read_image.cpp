@@ -1,0 +1,12 @@
+#include "imageio/channels.hpp"
+#include "imageio/samples.hpp"
+#include "vkbake/vkbake.hpp"
+
+namespace vkbake {
+
+Image read_image(const std::filesystem::path& file) {
+    const auto samples = read_samples<float>(file);
+    return to_image(samples, samples.eight_bit ? Transfer::srgb : Transfer::linear);
+}
+
+} // namespace vkbake

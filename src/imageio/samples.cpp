@@ -1,0 +1,128 @@
+#include "imageio/samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+#include <type_traits>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "vkbake/error.hpp"
+
+namespace vkbake {
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, std::string what, const std::string& advice) {
+    while (!what.empty() && (what.back() == '\n' || what.back() == '.')) {
+        what.pop_back();
+    }
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    throw Error(ErrorKind::bad_input, where + ": " + what + "; " + advice);
+}
+
+// Alpha must come as it is stored: by default OpenImageIO multiplies a PNG's colours by it.
+OIIO::ImageSpec open_hints() {
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    return hints;
+}
+
+template<typename Value>
+constexpr OIIO::TypeDesc::BASETYPE value_type() {
+    return std::is_same_v<Value, float> ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+}
+
+template<typename Value>
+Samples<Value> read_open_input(OIIO::ImageInput& input, const std::string& where, const SampleLimits& limits) {
+    const OIIO::ImageSpec& spec = input.spec();
+    if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels <= 0 || spec.deep) {
+        refuse(where, "is not a flat picture with at least one texel and one channel", "give a two-dimensional image");
+    }
+    const auto texels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+    const std::uint64_t bytes = texels * static_cast<std::uint64_t>(spec.nchannels) * sizeof(Value);
+    if (spec.width > limits.side || spec.height > limits.side || bytes > limits.bytes) {
+        refuse(where,
+               "has " + std::to_string(spec.width) + " × " + std::to_string(spec.height) + " texels and " +
+                   std::to_string(spec.nchannels) + " channels, which is more than the limit of " +
+                   std::to_string(limits.side) + " a side and " + std::to_string(limits.bytes >> 20U) + " MiB decoded",
+               "make it smaller");
+    }
+    Samples<Value> samples;
+    samples.width = spec.width;
+    samples.height = spec.height;
+    samples.channels = spec.channelnames;
+    samples.channels.resize(static_cast<std::size_t>(spec.nchannels));
+    samples.integer = !spec.format.is_floating_point();
+    samples.eight_bit = samples.integer && spec.format.size() == 1;
+    samples.values.resize(bytes / sizeof(Value));
+    // A file's truth is in its first part at full size; other parts (mip levels, layers) are left alone.
+    if (!input.read_image(0, 0, 0, spec.nchannels, value_type<Value>(), samples.values.data())) {
+        refuse(where, "cannot be decoded: " + input.geterror(), "the file is damaged or incomplete, get it again");
+    }
+    return samples;
+}
+
+/// The name of OpenImageIO's reader, or empty.
+std::string_view format_of(std::span<const std::byte> bytes) {
+    struct Signature {
+        std::string_view magic;
+        std::string_view format;
+    };
+    static constexpr std::array<Signature, 5> signatures{{{"\x89PNG\r\n\x1a\n", "png"},
+                                                          {"\xff\xd8\xff", "jpeg"},
+                                                          {"\x76\x2f\x31\x01", "openexr"},
+                                                          {"#?RADIANCE", "hdr"},
+                                                          {"#?RGBE", "hdr"}}};
+    for (const Signature& signature : signatures) {
+        const auto same = [](char character, std::byte byte) { return static_cast<std::byte>(character) == byte; };
+        if (bytes.size() >= signature.magic.size() &&
+            std::equal(signature.magic.begin(), signature.magic.end(), bytes.begin(), same)) {
+            return signature.format;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+template<typename Value>
+Samples<Value> read_samples(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        refuse(file.string(), "there is no such file", "check the path");
+    }
+    const OIIO::ImageSpec hints = open_hints();
+    const auto input = OIIO::ImageInput::open(file.string(), &hints);
+    if (!input) {
+        refuse(file.string(), "cannot be read as an image: " + OIIO::geterror(), "give an EXR, HDR, PNG or JPEG file");
+    }
+    return read_open_input<Value>(*input, file.string(), SampleLimits{});
+}
+
+template<typename Value>
+Samples<Value> read_samples(std::span<const std::byte> bytes, const std::string& name, const SampleLimits& limits) {
+    const std::string where = "image " + name;
+    const std::string_view format = format_of(bytes);
+    if (format.empty()) {
+        refuse(where, "is of no format known here", "use PNG or JPEG");
+    }
+    const auto input = OIIO::ImageInput::create(std::string(format));
+    if (!input) {
+        refuse(where, "there is no reader for " + std::string(format) + ": " + OIIO::geterror(), "use PNG or JPEG");
+    }
+    OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size()); // read only
+    OIIO::ImageSpec spec;
+    if (!input->set_ioproxy(&memory) || !input->open(name + "." + std::string(format), spec, open_hints())) {
+        refuse(where, "cannot be decoded: " + input->geterror(), "the image is damaged, export it again");
+    }
+    return read_open_input<Value>(*input, where, limits);
+}
+
+template Samples<float> read_samples<float>(const std::filesystem::path&);
+template Samples<float> read_samples<float>(std::span<const std::byte>, const std::string&, const SampleLimits&);
+template Samples<std::uint8_t> read_samples<std::uint8_t>(std::span<const std::byte>, const std::string&,
+                                                          const SampleLimits&);
+
+} // namespace vkbake

@@ -1,0 +1,18 @@
+// The sRGB transfer function (IEC 61966-2-1), in double precision.
+#pragma once
+
+#include <cmath>
+
+namespace vkbake {
+
+/// Encoded value in [0,1] → linear value in [0,1].
+[[nodiscard]] inline double srgb_to_linear(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/// Linear value in [0,1] → encoded value in [0,1].
+[[nodiscard]] inline double linear_to_srgb(double linear) {
+    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+} // namespace vkbake

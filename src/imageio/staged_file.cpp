@@ -1,0 +1,122 @@
+#include "imageio/staged_file.hpp"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "vkbake/error.hpp"
+
+namespace vkbake {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, int number) {
+    throw Error(ErrorKind::output, path.string() + ": " + what + ": " + std::generic_category().message(number) +
+                                       "; check the path, the permissions and the space on the disk");
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor() {
+        if (m_number >= 0) {
+            ::close(m_number);
+        }
+    }
+    Descriptor(Descriptor&&) = delete;
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(Descriptor&&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int number() const { return m_number; }
+    // Some file systems tell of a full disk only here.
+    [[nodiscard]] bool close() { return ::close(std::exchange(m_number, -1)) == 0; }
+
+private:
+    int m_number;
+};
+
+constexpr mode_t permissions = 0666; // less the process's umask
+
+/// A name that no other process and no earlier, killed run uses.
+std::filesystem::path create_beside(const std::filesystem::path& path) {
+    for (int attempt = 0;; ++attempt) {
+        std::filesystem::path temporary = path;
+        std::string ending = std::to_string(::getpid());
+        ending.append(".").append(std::to_string(attempt)).append(".partial");
+        temporary += '.';
+        temporary += ending;
+        const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
+        if (file.number() >= 0) {
+            return temporary;
+        }
+        if (errno != EEXIST || attempt == 1000) {
+            fail(path, "cannot be created", errno);
+        }
+    }
+}
+
+void fill(const std::filesystem::path& temporary, const std::filesystem::path& path,
+          std::span<const std::uint8_t> bytes) {
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.number() < 0) {
+        fail(path, "cannot be written", errno);
+    }
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.number(), bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            fail(path, "cannot be written", errno);
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(written > 0 ? written : 0));
+    }
+    // Without this a crash soon after the rename may leave an empty file under the final name.
+    if (::fsync(file.number()) != 0 && errno != EINVAL) {
+        fail(path, "cannot be written", errno);
+    }
+    if (!file.close()) {
+        fail(path, "cannot be written", errno);
+    }
+}
+
+} // namespace
+
+StagedFile::StagedFile(std::filesystem::path final_path, std::span<const std::uint8_t> bytes)
+    : m_final(std::move(final_path)) {
+    std::error_code error;
+    if (m_final.has_parent_path()) {
+        std::filesystem::create_directories(m_final.parent_path(), error);
+        if (error) {
+            fail(m_final, "its folder cannot be made", error.value());
+        }
+    }
+    m_temporary = create_beside(m_final);
+    try {
+        fill(m_temporary, m_final, bytes);
+    } catch (...) {
+        std::filesystem::remove(m_temporary, error);
+        throw;
+    }
+}
+
+StagedFile::~StagedFile() {
+    if (!m_temporary.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove(m_temporary, ignored);
+    }
+}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : m_final(std::move(other.m_final)), m_temporary(std::exchange(other.m_temporary, {})) {}
+
+void StagedFile::commit() {
+    std::error_code error;
+    std::filesystem::rename(m_temporary, m_final, error);
+    if (error) {
+        fail(m_final, "cannot be put in place", error.value());
+    }
+    m_temporary.clear();
+}
+
+} // namespace vkbake
