@@ -1,0 +1,114 @@
+#include "atlas/kept_uvs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "atlas/edge_graph.hpp"
+#include "atlas/predicates.hpp"
+#include "atlas/triangle_tree.hpp"
+
+namespace vkbake {
+
+namespace {
+
+const SurfacePart& part_of(const Surface& surface, std::uint32_t triangle) {
+    return surface.parts[surface.parts_of[triangle]];
+}
+
+std::string triangle_name(const Surface& surface, std::uint32_t triangle) {
+    const SurfacePart& part = part_of(surface, triangle);
+    return "triangle " + std::to_string(triangle - part.first_triangle) + " of primitive " +
+           std::to_string(part.primitive);
+}
+
+} // namespace
+
+std::optional<std::string> read_light_map_uvs(const Scene& scene, const Surface& surface,
+                                              std::span<const std::uint32_t> triangles, std::span<glm::vec2> flat) {
+    bool has_surface = false;
+    bool has_uv_area = false;
+    for (const std::uint32_t triangle : triangles) {
+        const SurfacePart& part = part_of(surface, triangle);
+        const std::uint32_t mesh = scene.instances[surface.objects[part.object].instance].mesh;
+        const std::vector<glm::vec2>& uvs = scene.meshes[mesh].primitives[part.primitive].tex_coords[1];
+        if (uvs.empty()) {
+            return "is absent from primitive " + std::to_string(part.primitive);
+        }
+        FlatTriangle corners{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::size_t corner = 3 * std::size_t{triangle} + c;
+            if (surface.vertices[corner] >= uvs.size()) {
+                return "has fewer values than vertices in primitive " + std::to_string(part.primitive);
+            }
+            const glm::vec2 uv = uvs[surface.vertices[corner]];
+            if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
+                return "is not finite at " + triangle_name(surface, triangle);
+            }
+            if (uv.x < 0.0F || uv.x > 1.0F || uv.y < 0.0F || uv.y > 1.0F) {
+                return "leaves [0,1] at " + triangle_name(surface, triangle);
+            }
+            corners[c] = uv;
+            flat[corner] = uv;
+        }
+        has_surface = has_surface || surface.geometric_normals[triangle] != glm::vec3(0.0F);
+        has_uv_area = has_uv_area || orientation(corners) != 0;
+    }
+    if (has_surface && !has_uv_area) {
+        return "has no area";
+    }
+    if (const auto pair = first_overlap(flat, triangles)) {
+        return "overlaps itself: " + triangle_name(surface, pair->first) + " and " +
+               triangle_name(surface, pair->second);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::pair<std::uint32_t, std::uint32_t>> first_overlap(std::span<const glm::vec2> flat,
+                                                                     std::span<const std::uint32_t> triangles) {
+    const TriangleTree tree(flat, {triangles.begin(), triangles.end()});
+    std::vector<std::uint32_t> overlapping;
+    for (const std::uint32_t triangle : triangles) {
+        tree.visit_overlaps(triangle, [&](std::uint32_t other) {
+            overlapping.push_back(other);
+            return true;
+        });
+        if (!overlapping.empty()) {
+            const auto second =
+                std::find_first_of(triangles.begin(), triangles.end(), overlapping.begin(), overlapping.end());
+            return std::pair(triangle, *second);
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<std::vector<std::uint32_t>> uv_islands(std::span<const glm::vec2> flat,
+                                                   std::span<const std::uint32_t> triangles) {
+    std::vector<glm::vec2> corners;
+    corners.reserve(3 * triangles.size());
+    for (const std::uint32_t triangle : triangles) {
+        const auto own = flat.subspan(3 * std::size_t{triangle}, 3);
+        corners.insert(corners.end(), own.begin(), own.end());
+    }
+    const EdgeGraph graph(weld(std::span<const glm::vec2>(corners)));
+    EdgeFlood flood(graph);
+    std::vector<bool> taken(triangles.size(), false);
+    std::vector<std::vector<std::uint32_t>> islands;
+    for (std::uint32_t seed = 0; seed < triangles.size(); ++seed) {
+        if (taken[seed]) {
+            continue;
+        }
+        taken[seed] = true;
+        islands.push_back(flood.collect(seed, [&](std::uint32_t triangle) {
+            const bool admitted = !taken[triangle];
+            taken[triangle] = true;
+            return admitted;
+        }));
+        for (std::uint32_t& triangle : islands.back()) {
+            triangle = triangles[triangle];
+        }
+    }
+    return islands;
+}
+
+} // namespace vkbake

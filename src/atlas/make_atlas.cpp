@@ -1,0 +1,317 @@
+#include "atlas/make_atlas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "atlas/chart.hpp"
+#include "atlas/density.hpp"
+#include "atlas/kept_uvs.hpp"
+#include "atlas/make_charts.hpp"
+#include "atlas/place_charts.hpp"
+#include "vkbake/error.hpp"
+
+namespace vkbake {
+
+namespace {
+
+constexpr std::uint32_t no_chart = std::numeric_limits<std::uint32_t>::max();
+
+void check_settings(const Settings& settings) {
+    const auto refuse = [](const std::string& what) { throw Error(ErrorKind::usage, what); };
+    if (settings.size < 1 || settings.size > greatest_side) {
+        refuse("size " + std::to_string(settings.size) + ": out of range; give 1 to 16384 texels");
+    }
+    if (settings.density && !(std::isfinite(*settings.density) && *settings.density > 0.0)) {
+        refuse("density: must be finite and above 0; give texels a metre");
+    }
+    if (settings.gutter < 0 || settings.gutter > 64) {
+        refuse("gutter " + std::to_string(settings.gutter) + ": out of range; give 0 to 64 texels");
+    }
+    if (settings.max_pages < 1) {
+        refuse("max pages " + std::to_string(settings.max_pages) + ": out of range; give 1 or more");
+    }
+}
+
+double surface_area(const Surface& surface, std::uint32_t triangle) {
+    const glm::vec3* const p = &surface.positions[3 * std::size_t{triangle}];
+    const glm::dvec3 e = glm::dvec3(p[1]) - glm::dvec3(p[0]);
+    const glm::dvec3 f = glm::dvec3(p[2]) - glm::dvec3(p[0]);
+    const glm::dvec3 n(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+    return 0.5 * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+}
+
+double flat_area(std::span<const glm::vec2> flat, std::uint32_t triangle) {
+    const glm::dvec2 a(flat[3 * std::size_t{triangle}]);
+    const glm::dvec2 b(flat[3 * std::size_t{triangle} + 1]);
+    const glm::dvec2 c(flat[3 * std::size_t{triangle} + 2]);
+    return 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+/// A line for each reason, with the names of the first few objects that it holds for.
+class ObjectNotes {
+public:
+    void add(const std::string& reason, const std::string& object) { m_objects[reason].push_back(object); }
+
+    void write(std::vector<std::string>& notes) const {
+        constexpr std::size_t named = 8;
+        for (const auto& [reason, objects] : m_objects) {
+            std::string line = reason + ": ";
+            for (std::size_t i = 0; i < std::min(objects.size(), named); ++i) {
+                line += (i > 0 ? ", " : "") + objects[i];
+            }
+            if (objects.size() > named) {
+                line += " and " + std::to_string(objects.size() - named) + " more";
+            }
+            notes.push_back(std::move(line));
+        }
+    }
+
+private:
+    std::map<std::string, std::vector<std::string>> m_objects;
+};
+
+class AtlasMaker {
+public:
+    AtlasMaker(const Scene& scene, const Surface& surface, const Settings& settings)
+        : m_scene(scene), m_surface(surface), m_settings(settings), m_flat(surface.positions.size()),
+          m_rank(surface.triangle_count()), m_objects(surface.objects.size()) {
+        m_atlas.uvs.resize(surface.positions.size());
+        m_atlas.page.resize(surface.triangle_count(), 0);
+        m_atlas.chart.resize(surface.triangle_count(), no_chart);
+        for (std::uint32_t rank = 0; rank < surface.canonical_order.size(); ++rank) {
+            const std::uint32_t triangle = surface.canonical_order[rank];
+            m_rank[triangle] = rank;
+            m_objects[surface.parts[surface.parts_of[triangle]].object].triangles.push_back(triangle);
+        }
+    }
+
+    Atlas run() {
+        for (std::uint32_t object = 0; object < m_objects.size(); ++object) {
+            if (!m_objects[object].triangles.empty()) {
+                find_charts(object);
+            }
+        }
+        if (m_settings.layout == Layout::object) {
+            lay_out_objects();
+        } else if (!keep_one_atlas()) {
+            lay_out_scene();
+        }
+        number_charts();
+        m_notes.write(m_atlas.notes);
+        return std::move(m_atlas);
+    }
+
+private:
+    struct Object {
+        std::vector<std::uint32_t> triangles; ///< in canonical order
+        std::vector<Chart> charts;            ///< those made; or one, what the object's kept UVs cover
+        bool kept = false;
+    };
+
+    void find_charts(std::uint32_t index) {
+        Object& object = m_objects[index];
+        const std::string& name = m_surface.objects[index].name;
+        if (m_settings.uv != UvSource::make) {
+            const std::optional<std::string>& fault = fault_of_uvs(index);
+            object.kept = !fault;
+            if (fault && m_settings.uv == UvSource::keep) {
+                throw Error(ErrorKind::bad_input, mesh_and_object(index) + ": TEXCOORD_1 " + *fault +
+                                                      "; correct it, or let UVs be made (--uv auto or make)");
+            }
+            m_notes.add(fault ? "light-map UVs made, as TEXCOORD_1 " + *fault : "TEXCOORD_1 kept", name);
+        }
+        if (!object.kept) {
+            object.charts = make_charts(m_surface, object.triangles, m_flat);
+            for (const Chart& chart : object.charts) {
+                name_chart(chart.triangles);
+            }
+            return;
+        }
+        for (const auto& island : uv_islands(m_flat, object.triangles)) {
+            name_chart(island);
+        }
+        object.charts.push_back(bounded_chart(object.triangles, m_flat));
+        double area = 0.0;
+        double uv_area = 0.0;
+        for (const std::uint32_t triangle : object.triangles) {
+            area += surface_area(m_surface, triangle);
+            uv_area += flat_area(m_flat, triangle);
+        }
+        // Without UV area there is no surface either (else the UVs would not do): a texel is enough.
+        object.charts.front().scale = uv_area > 0.0 ? std::sqrt(area / uv_area) : 0.0;
+    }
+
+    /// Reads the object's UVs into m_flat. Instances of one mesh share the answer.
+    const std::optional<std::string>& fault_of_uvs(std::uint32_t index) {
+        const SurfaceObject& object = m_surface.objects[index];
+        std::vector<std::uint32_t> triangles = m_objects[index].triangles;
+        std::sort(triangles.begin(), triangles.end());
+        const std::uint32_t mesh = m_scene.instances[object.instance].mesh;
+        const auto known = m_faults.find(mesh);
+        if (known == m_faults.end()) {
+            return m_faults.emplace(mesh, read_light_map_uvs(m_scene, m_surface, triangles, m_flat)).first->second;
+        }
+        if (!known->second) {
+            for (const std::uint32_t triangle : triangles) {
+                const std::uint32_t primitive = m_surface.parts[m_surface.parts_of[triangle]].primitive;
+                const auto& uvs = m_scene.meshes[mesh].primitives[primitive].tex_coords[1];
+                for (std::size_t c = 0; c < 3; ++c) {
+                    m_flat[3 * std::size_t{triangle} + c] = uvs[m_surface.vertices[3 * std::size_t{triangle} + c]];
+                }
+            }
+        }
+        return known->second;
+    }
+
+    [[nodiscard]] std::string mesh_and_object(std::uint32_t index) const {
+        const SurfaceObject& object = m_surface.objects[index];
+        return "mesh \"" + m_scene.meshes[m_scene.instances[object.instance].mesh].name + "\" (object " + object.name +
+               ")";
+    }
+
+    void name_chart(std::span<const std::uint32_t> triangles) {
+        for (const std::uint32_t triangle : triangles) {
+            m_atlas.chart[triangle] = m_atlas.chart_count;
+        }
+        ++m_atlas.chart_count;
+    }
+
+    /// Numbers charts in the order of their first triangles, so that the numbers do not depend on the order of objects.
+    void number_charts() {
+        std::vector<std::uint32_t> numbers(m_atlas.chart_count, no_chart);
+        std::uint32_t next = 0;
+        for (const std::uint32_t triangle : m_surface.canonical_order) {
+            std::uint32_t& number = numbers[m_atlas.chart[triangle]];
+            number = number == no_chart ? next++ : number;
+            m_atlas.chart[triangle] = number;
+        }
+    }
+
+    void keep_uvs(const Object& object, std::uint32_t page) {
+        for (const std::uint32_t triangle : object.triangles) {
+            std::copy_n(m_flat.begin() + 3 * static_cast<std::ptrdiff_t>(triangle), 3,
+                        m_atlas.uvs.begin() + 3 * static_cast<std::ptrdiff_t>(triangle));
+            m_atlas.page[triangle] = page;
+        }
+        if (m_settings.density) {
+            m_notes.add("density not used where UVs are kept in place", page_name(page));
+        }
+    }
+
+    [[nodiscard]] std::string page_name(std::uint32_t page) const { return m_atlas.pages[page].name; }
+
+    void add_page(const std::string& name) { m_atlas.pages.push_back({name, m_settings.size, m_settings.size}); }
+
+    /// Where the scene came as one atlas it stays as it is.
+    bool keep_one_atlas() {
+        for (const Object& object : m_objects) {
+            if (!object.kept && !object.triangles.empty()) {
+                return false;
+            }
+        }
+        if (first_overlap(m_flat, m_surface.canonical_order)) {
+            return false;
+        }
+        add_page("lightmap");
+        for (const Object& object : m_objects) {
+            if (!object.triangles.empty()) {
+                keep_uvs(object, 0);
+            }
+        }
+        return true;
+    }
+
+    void lay_out_scene() {
+        std::vector<Chart> charts;
+        for (Object& object : m_objects) {
+            std::move(object.charts.begin(), object.charts.end(), std::back_inserter(charts));
+        }
+        const Packing packing = pack_charts(charts, m_settings.max_pages, "scene");
+        for (std::uint32_t page = 0; page < packing.page_count; ++page) {
+            add_page(packing.page_count == 1 ? "lightmap" : "lightmap-" + std::to_string(page));
+        }
+        place(charts, packing, 0);
+        m_atlas.density = packing.density * m_surface.frame.scale();
+    }
+
+    void lay_out_objects() {
+        for (std::uint32_t index = 0; index < m_objects.size(); ++index) {
+            Object& object = m_objects[index];
+            if (object.triangles.empty()) {
+                continue;
+            }
+            const auto page = static_cast<std::uint32_t>(m_atlas.pages.size());
+            const std::string& name = m_surface.objects[index].name;
+            add_page(name);
+            if (object.kept) {
+                keep_uvs(object, page);
+                continue;
+            }
+            const Packing packing = pack_charts(object.charts, 1, "object " + name);
+            place(object.charts, packing, page);
+            const double density = packing.density * m_surface.frame.scale();
+            m_atlas.density = m_atlas.density > 0.0 ? std::min(m_atlas.density, density) : density;
+        }
+    }
+
+    /// Sorts the charts by geometry, so that equal sizes are placed in an order that no file decides.
+    Packing pack_charts(std::vector<Chart>& charts, int max_pages, const std::string& where) const {
+        std::sort(charts.begin(), charts.end(), [&](const Chart& a, const Chart& b) {
+            return m_rank[a.triangles.front()] < m_rank[b.triangles.front()];
+        });
+        const PageSettings pages{m_settings.size, m_settings.gutter, max_pages};
+        std::optional<double> density;
+        if (m_settings.density) {
+            density = *m_settings.density / m_surface.frame.scale();
+        }
+        auto packing = density ? pack_at(charts, *density, pages) : pack_densest(charts, pages);
+        if (packing) {
+            return std::move(*packing);
+        }
+        const auto side = side_that_fits(charts, density, pages);
+        throw Error(ErrorKind::usage,
+                    where + ": " + std::to_string(charts.size()) + " charts do not fit " + std::to_string(max_pages) +
+                        (max_pages == 1 ? " page of " : " pages of ") + std::to_string(m_settings.size) + "² texels" +
+                        (density ? " at this density" : "") + "; " +
+                        (side ? "use --size " + std::to_string(*side)
+                              : std::string("no size up to 16384 does: allow more pages, or ask for a lower density")));
+    }
+
+    void place(const std::vector<Chart>& charts, const Packing& packing, std::uint32_t first_page) {
+        for (std::size_t i = 0; i < charts.size(); ++i) {
+            const Placement& placement = packing.placements[i];
+            place_chart(charts[i], placement, packing.density, m_settings.size, m_flat, m_atlas.uvs);
+            repair_rounding(charts[i], m_flat, m_atlas.uvs);
+            for (const std::uint32_t triangle : charts[i].triangles) {
+                m_atlas.page[triangle] = first_page + placement.page;
+            }
+        }
+    }
+
+    const Scene& m_scene;
+    const Surface& m_surface;
+    const Settings& m_settings;
+    std::vector<glm::vec2> m_flat;     ///< 3 a triangle: see Chart
+    std::vector<std::uint32_t> m_rank; ///< by triangle: its place in canonical order
+    std::vector<Object> m_objects;
+    std::map<std::uint32_t, std::optional<std::string>> m_faults; ///< by mesh
+    ObjectNotes m_notes;
+    Atlas m_atlas;
+};
+
+} // namespace
+
+Atlas make_atlas(const Scene& scene, const Surface& surface, const Settings& settings) {
+    check_settings(settings);
+    if (surface.triangle_count() == 0) {
+        return {};
+    }
+    return AtlasMaker(scene, surface, settings).run();
+}
+
+} // namespace vkbake

@@ -1,0 +1,97 @@
+// Finds the triangles of a plane that overlap a given one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "atlas/predicates.hpp"
+
+namespace vkbake {
+
+/// A binary tree of boxes over triangles, split at the median of the box centres. Made for finding overlaps exactly: a
+/// node is left out where its box lies beyond an edge of the triangle asked for, so slivers and a few huge triangles
+/// among many small ones cost little. Triangles without area overlap nothing and are not stored. A query can be
+/// narrowed to triangles that were marked with a group; groups are for growing one set after the other.
+class TriangleTree {
+public:
+    static constexpr std::uint32_t no_group = 0xFFFFFFFFU;
+
+    /// Triangle t has the corners 3·t … 3·t + 2 of `corners`, which must outlive the tree. `triangles`: those to store.
+    TriangleTree(std::span<const glm::vec2> corners, std::vector<std::uint32_t> triangles);
+
+    /// Calls visit(other) for each stored triangle that overlaps `triangle` (itself, if it is stored, is left out)
+    /// until it returns false. The order is not defined.
+    template<typename Visit>
+    void visit_overlaps(std::uint32_t triangle, Visit visit) const {
+        visit_overlaps_of(triangle, no_group, visit);
+    }
+
+    /// Puts a stored triangle into a group; it leaves any other that it was in. Has no effect on one without area.
+    void mark(std::uint32_t triangle, std::uint32_t group);
+
+    /// Whether `triangle` overlaps one that is marked with `group`, the last group that was marked.
+    [[nodiscard]] bool overlaps_group(std::uint32_t triangle, std::uint32_t group) const;
+
+    [[nodiscard]] FlatTriangle corners_of(std::uint32_t triangle) const {
+        const std::size_t first = 3 * static_cast<std::size_t>(triangle);
+        return {m_corners[first], m_corners[first + 1], m_corners[first + 2]};
+    }
+
+private:
+    struct Node {
+        glm::vec2 lower{0.0F};
+        glm::vec2 upper{0.0F};
+        std::uint32_t parent = 0;
+        std::uint32_t second = 0; ///< the second child; the first is the next node. 0: a leaf
+        std::uint32_t begin = 0;  ///< a leaf's triangles: m_triangles[begin, end)
+        std::uint32_t end = 0;
+        std::uint32_t group = no_group; ///< the last group that something below was marked with
+    };
+
+    std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::uint32_t parent);
+    [[nodiscard]] static bool may_overlap(const FlatTriangle& triangle, int turn, const Node& node);
+
+    template<typename Visit>
+    void visit_overlaps_of(std::uint32_t triangle, std::uint32_t group, Visit& visit) const {
+        const FlatTriangle asked = corners_of(triangle);
+        const int turn = orientation(asked);
+        if (turn == 0 || m_nodes.empty()) {
+            return;
+        }
+        std::vector<std::uint32_t> open{0};
+        while (!open.empty()) {
+            const std::uint32_t index = open.back();
+            const Node& node = m_nodes[index];
+            open.pop_back();
+            if ((group != no_group && node.group != group) || !may_overlap(asked, turn, node)) {
+                continue;
+            }
+            if (node.second != 0) {
+                open.push_back(node.second);
+                open.push_back(index + 1);
+                continue;
+            }
+            for (std::uint32_t i = node.begin; i < node.end; ++i) {
+                const std::uint32_t other = m_triangles[i];
+                if (other != triangle && (group == no_group || m_groups[i] == group) &&
+                    triangles_overlap(asked, corners_of(other)) && !visit(other)) {
+                    return;
+                }
+            }
+        }
+    }
+
+    std::span<const glm::vec2> m_corners;
+    std::vector<std::uint32_t> m_triangles;
+    std::vector<std::uint32_t> m_groups; ///< one an entry of m_triangles
+    std::vector<std::uint32_t> m_leaves; ///< one an entry of m_triangles: its leaf
+    std::vector<std::uint32_t> m_places; ///< by triangle − m_first: its entry in m_triangles, or no_group
+    std::uint32_t m_first = 0;           ///< the least triangle that is stored
+    std::vector<Node> m_nodes;
+};
+
+} // namespace vkbake
