@@ -1,0 +1,23 @@
+// The default scene's nodes: where its meshes and cameras stand.
+#pragma once
+
+#include <vector>
+
+#include "load/context.hpp"
+#include "load/model.hpp"
+#include "vkbake/scene.hpp"
+
+namespace vkbake::gltf {
+
+struct PlacedNodes {
+    std::vector<Instance> instances; ///< in the order that Scene asks for
+    std::vector<Camera> cameras;
+};
+
+/// The document's default scene; with a note the first one where none is said to be the default, or all root nodes
+/// where there is no scene. Rotations need not have unit length. A skinned mesh stands where its node stands, with a
+/// note. Throws Error{bad_input} where nodes form a cycle or have several parents, a scene lists a node that is no root
+/// or is listed twice, or a transform is not finite.
+[[nodiscard]] PlacedNodes place_nodes(Context& context, const Model& model);
+
+} // namespace vkbake::gltf
