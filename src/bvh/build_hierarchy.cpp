@@ -118,6 +118,8 @@ public:
     Hierarchy take() && {
         m_hierarchy.clusters = m_tree.cluster_count();
         add_node(m_tree.root(), 1);
+        m_hierarchy.nodes.shrink_to_fit();
+        m_hierarchy.leaves.shrink_to_fit();
         return std::move(m_hierarchy);
     }
 
