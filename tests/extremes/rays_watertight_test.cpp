@@ -1,0 +1,80 @@
+// No ray leaves a closed mesh through an edge or a corner that triangles share.
+#include <gtest/gtest.h>
+
+#include "unit/bvh/ray_scenes.hpp"
+
+namespace vkbake::test {
+namespace {
+
+// A corner, or a point of an edge: what neighbours share.
+glm::vec3 shared_point(Random& random, const Triangles& mesh) {
+    const auto corners = mesh.corners(random.below(mesh.count()));
+    const std::size_t first = random.below(3);
+    const glm::vec3& a = corners[first];
+    const glm::vec3& b = corners[(first + 1) % 3];
+    switch (random.below(3)) {
+    case 0:
+        return a;
+    case 1:
+        return 0.5F * (a + b);
+    default:
+        return a + random.between(0.0F, 1.0F) * (b - a);
+    }
+}
+
+int escapes(const Triangles& mesh, Accelerator kind, int rays, float inner) {
+    const TriangleAccelerator accelerator = accelerate(mesh, kind);
+    Random random(31);
+    int escaped = 0;
+    for (int i = 0; i < rays; ++i) {
+        const glm::vec3 origin = i % 8 == 0 ? glm::vec3(0.0F) : random.point(inner);
+        const Ray ray{origin, shared_point(random, mesh) - origin};
+        escaped += accelerator.occluded(ray) && accelerator.nearest(ray) ? 0 : 1;
+    }
+    return escaped;
+}
+
+Triangles cube(int n) {
+    return join("cube", {sheet(n, 0, -1.0F), sheet(n, 0, 1.0F), sheet(n, 1, -1.0F), sheet(n, 1, 1.0F),
+                         sheet(n, 2, -1.0F), sheet(n, 2, 1.0F)});
+}
+
+TEST(RaysWatertight, NoneLeavesASphere) {
+    EXPECT_EQ(escapes(sphere(4, 1.0F, glm::vec3(0.0F)), Accelerator::bvh, 100000, 0.5F), 0);
+    EXPECT_EQ(escapes(sphere(5, 0.9F, {0.03F, 0.05F, -0.07F}), Accelerator::bvh, 100000, 0.5F), 0);
+    EXPECT_EQ(escapes(sphere(2, 1.0F, glm::vec3(0.0F)), Accelerator::brute, 10000, 0.5F), 0);
+    EXPECT_EQ(escapes(sphere(2, 1.0F, glm::vec3(0.0F)), Accelerator::clusters, 10000, 0.5F), 0);
+}
+
+TEST(RaysWatertight, NoneLeavesAFanOfNeedles) {
+    EXPECT_EQ(escapes(needle_fan(1000), Accelerator::bvh, 100000, 0.02F), 0);
+    EXPECT_EQ(escapes(needle_fan(100), Accelerator::clusters, 10000, 0.02F), 0);
+}
+
+TEST(RaysWatertight, NoneLeavesACubeThroughItsDiagonalsAndEdges) {
+    // from 0 the coordinates are exact, so many edge functions are exactly 0
+    EXPECT_EQ(escapes(cube(8), Accelerator::bvh, 100000, 0.9F), 0);
+    EXPECT_EQ(escapes(cube(8), Accelerator::bvh, 10000, 0.0F), 0);
+    EXPECT_EQ(escapes(cube(2), Accelerator::clusters, 10000, 0.9F), 0);
+}
+
+TEST(RaysWatertight, TinyAndFarAway) {
+    std::vector<glm::vec3> tiny = sphere(4, 1.0F, glm::vec3(0.0F)).positions;
+    for (glm::vec3& position : tiny) {
+        position *= 0x1p-50F;
+    }
+    EXPECT_EQ(escapes(make_triangles("tiny", std::move(tiny)), Accelerator::bvh, 100000, 0x1p-51F), 0);
+
+    const Triangles far = sphere(4, 1.0F, glm::vec3(100.0F));
+    const TriangleAccelerator accelerator = accelerate(far, Accelerator::bvh);
+    Random random(32);
+    int escaped = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const glm::vec3 origin = glm::vec3(100.0F) + random.point(0.5F);
+        escaped += accelerator.occluded({origin, shared_point(random, far) - origin}) ? 0 : 1;
+    }
+    EXPECT_EQ(escaped, 0);
+}
+
+} // namespace
+} // namespace vkbake::test
