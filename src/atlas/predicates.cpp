@@ -56,6 +56,10 @@ int orientation(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
     if (determinant < -bound) {
         return -1;
     }
+    // The common case of shared corners. Products of differences of floats do not underflow, so these zeros are exact.
+    if (left == 0.0 && right == 0.0) {
+        return 0;
+    }
     // A product of two floats is exact in double, so the expanded determinant is a sum of six doubles.
     return sign_of_sum({ax * by, -(ay * bx), bx * cy, -(by * cx), cx * ay, -(cy * ax)});
 }
