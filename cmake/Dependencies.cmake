@@ -12,3 +12,4 @@ find_package(fmt REQUIRED)
 find_package(PkgConfig REQUIRED)
 # OpenImageIO's own CMake configuration on Debian names a folder of OpenCV headers that need not exist.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)

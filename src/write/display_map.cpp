@@ -1,0 +1,68 @@
+#include "write/display_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "imageio/encode.hpp"
+#include "imageio/srgb.hpp"
+
+namespace vkbake {
+namespace {
+
+float greatest_value(const Image& image) {
+    float greatest = 0.0F;
+    for (const glm::vec4& texel : image.texels) {
+        for (int channel = 0; channel < 3 && texel.w > 0.0F; ++channel) {
+            greatest = std::isfinite(texel[channel]) ? std::max(greatest, texel[channel]) : greatest;
+        }
+    }
+    return greatest > 0.0F ? greatest : 1.0F;
+}
+
+/// In [0,1]; NaN gives 0.
+double share_of(float value, double greatest) {
+    return value > 0.0F ? std::min(static_cast<double>(value) / greatest, 1.0) : 0.0;
+}
+
+/// The linear values half way between two neighbouring codes (in encoded values): 8-bit sRGB by a search in 255 numbers
+/// instead of a power for each of up to 2²⁸ texels.
+std::array<double, 255> srgb_borders() {
+    std::array<double, 255> borders{};
+    for (std::size_t code = 0; code < borders.size(); ++code) {
+        borders.at(code) = srgb_to_linear((static_cast<double>(code) + 0.5) / 255.0);
+    }
+    return borders;
+}
+
+} // namespace
+
+DisplayMap make_display_map(const std::string& name, const Image& image, Mode mode) {
+    DisplayMap map{name, {}, {}, 1.0};
+    std::vector<std::uint8_t> texels;
+    if (mode == Mode::ao) {
+        texels.reserve(image.texels.size());
+        for (const glm::vec4& texel : image.texels) {
+            const double visibility = texel.w > 0.0F ? share_of(texel.x, 1.0) : 0.0;
+            texels.push_back(static_cast<std::uint8_t>(std::lround(visibility * 255.0)));
+        }
+        map.png = encode_grey_png(image.width, image.height, texels);
+        return map;
+    }
+    const double greatest = static_cast<double>(greatest_value(image));
+    const std::array<double, 255> borders = srgb_borders();
+    texels.reserve(3 * image.texels.size());
+    for (const glm::vec4& texel : image.texels) {
+        for (int channel = 0; channel < 3; ++channel) {
+            const double share = texel.w > 0.0F ? share_of(texel[channel], greatest) : 0.0;
+            const auto* const border = std::upper_bound(borders.begin(), borders.end(), share);
+            texels.push_back(static_cast<std::uint8_t>(border - borders.begin()));
+        }
+    }
+    map.png = encode_srgb_png(image.width, image.height, texels);
+    map.intensity = std::numbers::pi * greatest;
+    return map;
+}
+
+} // namespace vkbake

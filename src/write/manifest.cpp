@@ -1,0 +1,148 @@
+#include "write/manifest.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "vkbake/error.hpp"
+#include "vkbake/vkbake.hpp"
+#include "write/hash.hpp"
+
+namespace vkbake {
+namespace {
+
+constexpr int manifest_version = 1;
+
+const char* name_of(Layout layout) { return layout == Layout::atlas ? "atlas" : "object"; }
+const char* name_of(UvSource uv) { return uv == UvSource::automatic ? "auto" : uv == UvSource::keep ? "keep" : "make"; }
+const char* name_of(Mode mode) { return mode == Mode::irradiance ? "irradiance" : "ao"; }
+const char* name_of(Sampler sampler) { return sampler == Sampler::cosine ? "cosine" : "thesis"; }
+const char* name_of(Accelerator accelerator) {
+    return accelerator == Accelerator::bvh ? "bvh" : accelerator == Accelerator::clusters ? "clusters" : "brute";
+}
+const char* name_of(TriangleTest test) { return test == TriangleTest::watertight ? "watertight" : "moller-trumbore"; }
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json map_json(const LightMap& map, const WrittenMap& written, Mode mode) {
+    const LightMapStatistics& statistics = map.statistics;
+    const auto texels = static_cast<double>(map.image.texels.size());
+    Json json{{"name", map.name},
+              {"file", written.file},
+              {"width", map.image.width},
+              {"height", map.image.height},
+              {"coverage", texels > 0.0 ? static_cast<double>(statistics.covered_texels) / texels : 0.0},
+              {"covered_texels", statistics.covered_texels},
+              {"filled_texels", statistics.filled_texels},
+              {"rays", statistics.rays},
+              {"occluded_rays", statistics.occluded_rays},
+              {"skipped_directions", statistics.skipped_directions},
+              {"probed_hits", statistics.probed_hits},
+              {"back_side_hits", statistics.back_side_hits},
+              {"values_out_of_range", written.changed_values}};
+    if (mode == Mode::irradiance) {
+        json["intensity"] = written.intensity;
+    }
+    return json;
+}
+
+Json timing_json(const Bake& bake) {
+    Json stages = Json::array();
+    for (const StageSeconds& stage : bake.stages) {
+        stages.push_back({{"stage", stage.stage}, {"seconds", stage.seconds}});
+    }
+    Json maps = Json::array();
+    for (const LightMap& map : bake.light_maps) {
+        maps.push_back({{"name", map.name}, {"seconds", map.statistics.seconds}});
+    }
+    return {{"threads", bake.settings.threads}, {"stages", std::move(stages)}, {"light_maps", std::move(maps)}};
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
+    throw Error(ErrorKind::bad_input, file.string() + ": " + what + "; bake again");
+}
+
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (!stream || !std::filesystem::is_regular_file(file)) {
+        refuse(file, "cannot be read");
+    }
+    return bytes;
+}
+
+void check_file(const std::filesystem::path& directory, const Json& entry) {
+    const std::filesystem::path name = entry.at("file").get<std::string>();
+    const std::filesystem::path file = directory / name;
+    if (name.is_absolute() || *name.lexically_normal().begin() == "..") {
+        refuse(file, "lies outside the manifest's folder");
+    }
+    if (hash_of(read_bytes(file)) != entry.at("xxh3-128").get<std::string>()) {
+        refuse(file, "is not the file that the manifest was written for");
+    }
+}
+
+} // namespace
+
+Json settings_json(const Settings& settings) {
+    return {{"size", settings.size},
+            {"density", or_null(settings.density)},
+            {"layout", name_of(settings.layout)},
+            {"uv", name_of(settings.uv)},
+            {"gutter", settings.gutter},
+            {"max-pages", settings.max_pages},
+            {"mode", name_of(settings.mode)},
+            {"ao-distance", or_null(settings.ao_distance)},
+            {"rays", settings.rays},
+            {"sampler", name_of(settings.sampler)},
+            {"accelerator", name_of(settings.accelerator)},
+            {"triangle-test", name_of(settings.triangle_test)},
+            {"cluster-splits", settings.cluster_splits},
+            {"seed", settings.seed},
+            {"padding", settings.padding}};
+}
+
+Json make_manifest(const std::string& scene, const Bake& bake, const std::string& command,
+                   std::span<const WrittenMap> maps, std::span<const WrittenFile> files,
+                   std::span<const std::string> notes) {
+    Json map_list = Json::array();
+    for (std::size_t index = 0; index < maps.size(); ++index) {
+        map_list.push_back(map_json(bake.light_maps.at(index), maps[index], bake.settings.mode));
+    }
+    Json file_list = Json::array();
+    for (const WrittenFile& file : files) {
+        file_list.push_back({{"file", file.file}, {"bytes", file.bytes}, {"xxh3-128", file.hash}});
+    }
+    return {{"manifest", manifest_version},
+            {"vkbake", version()},
+            {"command", command},
+            {"scene", scene},
+            {"sky", bake.sky},
+            {"device", bake.device},
+            {"settings", settings_json(bake.settings)},
+            {"triangles", bake.surface.triangle_count()},
+            {"charts", bake.atlas.chart_count},
+            {"density", bake.atlas.density},
+            {"light_maps", std::move(map_list)},
+            {"notes", notes},
+            {"files", std::move(file_list)},
+            {"timing", timing_json(bake)}};
+}
+
+Json read_manifest(const std::filesystem::path& directory) {
+    const std::filesystem::path path = directory / "manifest.json";
+    const std::vector<std::uint8_t> bytes = read_bytes(path);
+    try {
+        Json manifest = Json::parse(bytes);
+        if (manifest.at("manifest") != manifest_version) {
+            refuse(path, "is of another version than " + std::to_string(manifest_version));
+        }
+        for (const Json& entry : manifest.at("files")) {
+            check_file(directory, entry);
+        }
+        return manifest;
+    } catch (const Json::exception& error) {
+        refuse(path, error.what());
+    }
+}
+
+} // namespace vkbake

@@ -1,0 +1,41 @@
+// manifest.json: what was baked, how, and which files belong to it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/json.hpp"
+#include "vkbake/lightmap.hpp"
+
+namespace vkbake {
+
+struct WrittenFile {
+    std::string file; ///< relative to the manifest's folder, '/' between folders
+    std::uint64_t bytes = 0;
+    std::string hash; ///< hash_of
+};
+
+/// A light map's file, in the order of Bake::light_maps.
+struct WrittenMap {
+    std::string file;
+    double intensity = 1.0;           ///< DisplayMap::intensity
+    std::uint64_t changed_values = 0; ///< EncodedFile::changed_values
+};
+
+/// All times, and what changes nothing but them, lie under "timing"; the rest is the same for each run of the same
+/// bake.
+[[nodiscard]] Json make_manifest(const std::string& scene, const Bake& bake, const std::string& command,
+                                 std::span<const WrittenMap> maps, std::span<const WrittenFile> files,
+                                 std::span<const std::string> notes);
+
+/// Settings under the names of the command line's flags, without "threads".
+[[nodiscard]] Json settings_json(const Settings& settings);
+
+/// Reads DIRECTORY/manifest.json and every file that it lists. Throws Error{bad_input} where one is missing, lies
+/// outside the directory, or is not the one that was written.
+[[nodiscard]] Json read_manifest(const std::filesystem::path& directory);
+
+} // namespace vkbake

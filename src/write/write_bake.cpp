@@ -1,0 +1,152 @@
+#include <algorithm>
+
+#include "imageio/encode.hpp"
+#include "imageio/staged_file.hpp"
+#include "vkbake/vkbake.hpp"
+#include "write/display_map.hpp"
+#include "write/hash.hpp"
+#include "write/manifest.hpp"
+#include "write/scene_glb.hpp"
+
+namespace vkbake {
+namespace {
+
+struct FileFormat {
+    ImageFormat format;
+    const char* extension;
+};
+
+FileFormat file_format(LightMapFormat format) {
+    switch (format) {
+    case LightMapFormat::hdr:
+        return {ImageFormat::hdr, ".hdr"};
+    case LightMapFormat::png:
+        return {ImageFormat::png16, ".png"};
+    case LightMapFormat::exr:
+        break;
+    }
+    return {ImageFormat::exr, ".exr"};
+}
+
+/// What a light map's own file says about where its values come from: nothing that does not change them, so that the
+/// bytes are the same for every accelerator, thread count and folder.
+Attributes provenance(const Bake& bake, const std::string& name) {
+    Attributes attributes{{"vkbake:version", version()},
+                          {"vkbake:map", name},
+                          {"vkbake:value", bake.settings.mode == Mode::ao ? "visibility" : "irradiance / pi"},
+                          {"vkbake:sky", bake.sky}};
+    const Json settings = settings_json(bake.settings);
+    for (const char* flag : {"mode", "ao-distance", "rays", "sampler", "triangle-test", "seed", "padding"}) {
+        const Json& value = settings.at(flag);
+        attributes.emplace_back(std::string("vkbake:") + flag,
+                                value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    return attributes;
+}
+
+/// A scene's name as a file's name.
+std::string file_stem(const std::string& name) {
+    std::string stem = name;
+    std::replace_if(
+        stem.begin(), stem.end(),
+        [](char letter) { return letter == '/' || letter == '\\' || static_cast<unsigned char>(letter) < 0x20; }, '_');
+    return stem.empty() || stem == "." || stem == ".." ? "scene" : stem;
+}
+
+void check(const Scene& scene, const Bake& bake) {
+    const std::size_t triangles = bake.surface.triangle_count();
+    if (bake.light_maps.size() != bake.atlas.pages.size() || bake.atlas.page.size() != triangles ||
+        bake.atlas.uvs.size() != 3 * triangles || bake.surface.vertices.size() != 3 * triangles ||
+        std::any_of(bake.atlas.page.begin(), bake.atlas.page.end(),
+                    [&](std::uint32_t page) { return page >= bake.light_maps.size(); })) {
+        throw Error(ErrorKind::usage, "write: the bake of \"" + scene.name +
+                                          "\" has arrays that do not fit each other; give what bake returned");
+    }
+}
+
+/// All files of one bake: each complete beside its name before the first takes its name.
+class Output {
+public:
+    explicit Output(std::filesystem::path directory) : m_directory(std::move(directory)) {}
+
+    void stage(const std::string& file, std::span<const std::uint8_t> bytes) {
+        m_staged.emplace_back(m_directory / file, bytes);
+        m_files.push_back({file, bytes.size(), hash_of(bytes)});
+    }
+
+    [[nodiscard]] const std::vector<WrittenFile>& files() const { return m_files; }
+
+    std::vector<std::filesystem::path> commit() {
+        std::vector<std::filesystem::path> paths;
+        for (std::size_t index = 0; index < m_staged.size(); ++index) {
+            m_staged[index].commit();
+            paths.emplace_back(m_files[index].file);
+        }
+        return paths;
+    }
+
+private:
+    std::filesystem::path m_directory;
+    std::vector<StagedFile> m_staged;
+    std::vector<WrittenFile> m_files;
+};
+
+/// The scene that was read must not be replaced by the baked one, unless it is a baked one itself.
+void keep_source(const Scene& scene, const std::filesystem::path& file) {
+    std::error_code ignored;
+    const bool same_folder = !scene.directory.empty() &&
+                             std::filesystem::equivalent(scene.directory, file.parent_path(), ignored) &&
+                             std::filesystem::exists(file, ignored);
+    if (same_folder && scene.source->json.find("\"vkbake ") == std::string::npos) {
+        throw Error(ErrorKind::output,
+                    file.string() + ": is the scene that is being baked; choose another output folder");
+    }
+}
+
+std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& bake, const WriteSettings& settings) {
+    const FileFormat format = file_format(settings.format);
+    Output output(settings.directory);
+    std::vector<WrittenMap> written;
+    std::vector<DisplayMap> display;
+    std::vector<std::string> notes = bake.notes;
+    for (const LightMap& map : bake.light_maps) {
+        const std::string file = "lightmaps/" + map.name + format.extension;
+        const EncodedFile encoded = encode_image(map.image, format.format, provenance(bake, map.name));
+        output.stage(file, encoded.bytes);
+        if (encoded.changed_values > 0) {
+            notes.push_back(file + ": " + std::to_string(encoded.changed_values) +
+                            " values are outside what the format holds and were clamped; EXR keeps them");
+        }
+        DisplayMap picture;
+        if (scene.source) {
+            picture = make_display_map(map.name, map.image, bake.settings.mode);
+            picture.linear_file = file;
+        }
+        written.push_back({file, picture.intensity, encoded.changed_values});
+        display.push_back(std::move(picture));
+    }
+    if (scene.source) {
+        const std::string file = file_stem(scene.name) + ".glb";
+        keep_source(scene, settings.directory / file);
+        const SceneGlb glb = make_scene_glb(scene, bake, display);
+        notes.insert(notes.end(), glb.notes.begin(), glb.notes.end());
+        output.stage(file, glb.bytes);
+    }
+    const Json manifest = make_manifest(scene.name, bake, settings.command, written, output.files(), notes);
+    const std::string text = manifest.dump(2) + "\n";
+    output.stage("manifest.json", std::vector<std::uint8_t>(text.begin(), text.end()));
+    return output.commit();
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings) {
+    check(scene, bake);
+    try {
+        return write_files(scene, bake, settings);
+    } catch (const Json::exception& error) {
+        throw Error(ErrorKind::output, std::string("write: ") + error.what() + "; use names in UTF-8");
+    }
+}
+
+} // namespace vkbake

@@ -1,0 +1,226 @@
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "glb_reader.hpp"
+#include "small_scene.hpp"
+#include "test_folder.hpp"
+#include "vkbake/vkbake.hpp"
+#include "write/hash.hpp"
+#include "write/manifest.hpp"
+
+namespace vkbake {
+namespace {
+
+using test::make_bake;
+using test::make_scene;
+using test::read_file;
+using test::TestFolder;
+
+std::map<std::string, std::vector<std::uint8_t>> contents(const std::filesystem::path& folder) {
+    std::map<std::string, std::vector<std::uint8_t>> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) {
+            files[std::filesystem::relative(entry.path(), folder).string()] = read_file(entry.path());
+        }
+    }
+    return files;
+}
+
+ErrorKind kind_of(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        return error.kind();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return ErrorKind::usage;
+}
+
+TEST(WriteBake, WritesWhatItSaysManifestLast) {
+    const TestFolder folder;
+    const auto files = write_bake(make_scene(), make_bake(), {folder / "out", LightMapFormat::exr, "vkbake bake room"});
+    const std::vector<std::filesystem::path> expected{"lightmaps/page-0.exr", "lightmaps/page-1.exr", "room.glb",
+                                                      "manifest.json"};
+    EXPECT_EQ(files, expected);
+    EXPECT_EQ(contents(folder / "out").size(), 4U);
+    const Image image = read_image(folder / "out/lightmaps/page-0.exr");
+    EXPECT_EQ(image.texels, make_bake().light_maps[0].image.texels);
+    EXPECT_EQ(image.coverage, make_bake().light_maps[0].image.coverage);
+
+    const Json manifest = read_manifest(folder / "out");
+    EXPECT_EQ(manifest["command"], "vkbake bake room");
+    EXPECT_EQ(manifest["sky"], "clear");
+    EXPECT_EQ(manifest["settings"]["rays"], 256);
+    EXPECT_EQ(manifest["settings"]["ao-distance"], nullptr);
+    ASSERT_EQ(manifest["light_maps"].size(), 2U);
+    EXPECT_EQ(manifest["light_maps"][0]["coverage"], 0.75); // 6 of 8
+    EXPECT_EQ(manifest["light_maps"][0]["file"], "lightmaps/page-0.exr");
+    EXPECT_EQ(manifest["timing"]["stages"][0]["seconds"], 1.5);
+    EXPECT_EQ(manifest["timing"]["light_maps"][1]["seconds"], 0.125);
+    EXPECT_EQ(manifest["notes"][0], "a note of the bake");
+    ASSERT_EQ(manifest["files"].size(), 3U);
+}
+
+// The empty input's XXH3 with 128 bits, as xxHash's specification and `xxhsum -H2` give it.
+TEST(Hash, IsXxh3InCanonicalOrder) { EXPECT_EQ(hash_of({}), "99aa06d3014798d86001c324468d497f"); }
+
+TEST(WriteBake, OnlyTimingDiffersBetweenRuns) {
+    const TestFolder folder;
+    Bake bake = make_bake();
+    write_bake(make_scene(), bake, {folder / "a", LightMapFormat::exr, {}});
+    bake.stages[0].seconds = 99.0;
+    bake.light_maps[0].statistics.seconds = 98.0;
+    bake.settings.threads = 7;
+    write_bake(make_scene(), bake, {folder / "b", LightMapFormat::exr, {}});
+    auto a = contents(folder / "a");
+    auto b = contents(folder / "b");
+    Json manifest_a = Json::parse(a["manifest.json"]);
+    Json manifest_b = Json::parse(b["manifest.json"]);
+    EXPECT_NE(manifest_a["timing"], manifest_b["timing"]);
+    manifest_a.erase("timing");
+    manifest_b.erase("timing");
+    EXPECT_EQ(manifest_a.dump(), manifest_b.dump());
+    a.erase("manifest.json");
+    b.erase("manifest.json");
+    EXPECT_EQ(a, b);
+}
+
+TEST(WriteBake, OtherFormatsClampAndSay) {
+    const TestFolder folder;
+    Bake bake = make_bake();
+    bake.light_maps[0].image.texels[0].x = std::numeric_limits<float>::quiet_NaN();
+    write_bake(make_scene(), bake, {folder / "png", LightMapFormat::png, {}});
+    write_bake(make_scene(), bake, {folder / "hdr", LightMapFormat::hdr, {}});
+    const Image png = read_image(folder / "png/lightmaps/page-0.png");
+    EXPECT_EQ(png.texels[2].x, 1.0F);
+    EXPECT_EQ(png.texels[3].x, 1.0F); // 1.5, clamped
+    EXPECT_EQ(png.texels[0].x, 0.0F);
+    EXPECT_EQ(png.texels[1].w, 0.0F);
+    EXPECT_EQ(read_image(folder / "hdr/lightmaps/page-0.hdr").texels[3].x, 1.5F);
+    const Json manifest = read_manifest(folder / "png");
+    EXPECT_EQ(manifest["light_maps"][0]["values_out_of_range"], 6); // NaN and 1.5, 2 … 3.5
+    EXPECT_NE(manifest["notes"].dump().find("clamped"), std::string::npos);
+    EXPECT_EQ(read_manifest(folder / "hdr")["light_maps"][0]["values_out_of_range"], 1);
+}
+
+TEST(WriteBake, ScenesMadeByHandGiveImagesAndManifest) {
+    const TestFolder folder;
+    Scene scene = make_scene();
+    scene.source.reset();
+    EXPECT_EQ(write_bake(scene, make_bake(), {folder.path(), LightMapFormat::exr, {}}).size(), 3U);
+}
+
+TEST(WriteBake, AFailedRunChangesNothing) {
+    const TestFolder folder;
+    write_bake(make_scene(), make_bake(), {folder.path(), LightMapFormat::exr, "first"});
+    const auto before = contents(folder.path());
+    Scene broken = make_scene();
+    broken.source->json = "{}"; // fails after the light maps have been staged
+    EXPECT_EQ(kind_of([&] {
+                  write_bake(broken, make_bake(), {folder.path(), LightMapFormat::exr, "second"});
+              }),
+              ErrorKind::bad_input);
+    EXPECT_EQ(contents(folder.path()), before);
+}
+
+TEST(WriteBake, AFolderThatCannotBeMade) {
+    const TestFolder folder;
+    std::ofstream(folder / "file") << "in the way";
+    EXPECT_EQ(kind_of([&] {
+                  write_bake(make_scene(), make_bake(), {folder / "file" / "out", LightMapFormat::exr, {}});
+              }),
+              ErrorKind::output);
+    EXPECT_EQ(contents(folder.path()).size(), 1U);
+}
+
+TEST(WriteBake, TheSourceIsNotOverwrittenUnlessBaked) {
+    const TestFolder folder;
+    Scene scene = make_scene();
+    scene.directory = folder.path().string();
+    std::ofstream(folder / "room.glb") << "the source";
+    EXPECT_EQ(kind_of([&] {
+                  write_bake(scene, make_bake(), {folder.path(), LightMapFormat::exr, {}});
+              }),
+              ErrorKind::output);
+    EXPECT_EQ(contents(folder.path()).size(), 1U);
+    Json json = Json::parse(scene.source->json);
+    json["asset"]["generator"] = "vkbake 0.0.1";
+    scene.source->json = json.dump();
+    EXPECT_EQ(write_bake(scene, make_bake(), {folder.path(), LightMapFormat::exr, {}}).size(), 4U);
+}
+
+TEST(WriteBake, ABakeThatDoesNotFitItselfIsRefused) {
+    const TestFolder folder;
+    Bake bake = make_bake();
+    bake.atlas.page[0] = 9;
+    EXPECT_EQ(kind_of([&] {
+                  write_bake(make_scene(), bake, {folder.path(), LightMapFormat::exr, {}});
+              }),
+              ErrorKind::usage);
+    bake = make_bake();
+    bake.surface.vertices[0] = 0; // not a triangle of the scene
+    EXPECT_EQ(kind_of([&] {
+                  write_bake(make_scene(), bake, {folder.path(), LightMapFormat::exr, {}});
+              }),
+              ErrorKind::usage);
+    EXPECT_TRUE(contents(folder.path()).empty());
+}
+
+TEST(Manifest, RefusesFilesThatAreNotTheOnesWritten) {
+    const TestFolder folder;
+    write_bake(make_scene(), make_bake(), {folder.path(), LightMapFormat::exr, {}});
+    (void)read_manifest(folder.path());
+    const auto rewrite = [&](const char* file, const std::vector<std::uint8_t>& bytes) {
+        std::ofstream(folder / file, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    };
+    std::vector<std::uint8_t> bytes = read_file(folder / "lightmaps/page-1.exr");
+    bytes.back() ^= 1U;
+    rewrite("lightmaps/page-1.exr", bytes);
+    EXPECT_EQ(kind_of([&] { (void)read_manifest(folder.path()); }), ErrorKind::bad_input);
+    bytes.back() ^= 1U;
+    rewrite("lightmaps/page-1.exr", bytes);
+    (void)read_manifest(folder.path());
+    std::filesystem::remove(folder / "room.glb");
+    EXPECT_EQ(kind_of([&] { (void)read_manifest(folder.path()); }), ErrorKind::bad_input);
+    for (const char* text :
+         {"{", "[]", R"({"manifest":99})", R"({"manifest":1,"files":[{"file":"../x","xxh3-128":""}]})"}) {
+        std::ofstream(folder / "manifest.json") << text;
+        EXPECT_EQ(kind_of([&] { (void)read_manifest(folder.path()); }), ErrorKind::bad_input) << text;
+    }
+}
+
+// The official validator over both modes, a mesh without any UVs and one baked twice.
+TEST(WriteBake, TheOfficialValidatorFindsNoError) {
+    const TestFolder folder;
+    Bake bake = make_bake();
+    write_bake(make_scene(), bake, {folder / "irradiance", LightMapFormat::exr, {}});
+    bake.settings.mode = Mode::ao;
+    write_bake(make_scene(), bake, {folder / "ao", LightMapFormat::exr, {}});
+
+    Scene bare = make_scene();
+    Json json = Json::parse(bare.source->json);
+    Json& primitive = json["meshes"][0]["primitives"][1];
+    primitive["attributes"] = {{"POSITION", primitive["attributes"]["POSITION"]}};
+    primitive.erase("material");
+    bare.source->json = json.dump();
+    bare.meshes[0].primitives[0].tex_coords = {};
+    write_bake(bare, make_bake(), {folder / "bare", LightMapFormat::exr, {}});
+
+    const std::string command = std::string(VKBAKE_SOURCE_DIR) + "/tests/validator/validate.sh " + VKBAKE_VALIDATOR_DIR;
+    const int status =
+        std::system((command + " " + (folder / "irradiance/room.glb").string() + " " + // NOLINT(cert-env33-c)
+                     (folder / "ao/room.glb").string() + " " + (folder / "bare/room.glb").string())
+                        .c_str());
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 77) {
+        GTEST_SKIP() << "the validator is not available here";
+    }
+    EXPECT_EQ(status, 0);
+}
+
+} // namespace
+} // namespace vkbake
