@@ -152,7 +152,7 @@ void expect_agreement(Accelerator kind, TriangleTest test, int splits) {
         SCOPED_TRACE(triangles.name);
         Agreement agreement(triangles, kind, test, splits);
         Random random(7);
-        constexpr int rays = 1000;
+        constexpr int rays = 600;
         for (int i = 0; i < rays; ++i) {
             agreement.check(any_ray(random, triangles));
         }
