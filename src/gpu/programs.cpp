@@ -79,9 +79,10 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, const Program& 
     rasterization.frontFace = vk::FrontFace::eCounterClockwise;
     rasterization.lineWidth = 1.0F;
     const vk::PipelineMultisampleStateCreateInfo one_sample;
-    const bool tested = description.depth_test == DepthTest::less;
-    const vk::PipelineDepthStencilStateCreateInfo depth({}, tested ? VK_TRUE : VK_FALSE, tested ? VK_TRUE : VK_FALSE,
-                                                        vk::CompareOp::eLess);
+    const bool tested = description.depth_test != DepthTest::none;
+    const vk::PipelineDepthStencilStateCreateInfo depth(
+        {}, tested ? VK_TRUE : VK_FALSE, tested ? VK_TRUE : VK_FALSE,
+        description.depth_test == DepthTest::greater ? vk::CompareOp::eGreater : vk::CompareOp::eLess);
     const std::vector blends(formats.size(), blend_state(description.blend));
     const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, {}, blends);
     const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};

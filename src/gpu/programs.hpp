@@ -37,8 +37,9 @@ private:
 };
 
 enum class DepthTest : std::uint8_t {
-    none, ///< neither tested nor written
-    less, ///< the nearer wins, of equal ones the first; written
+    none,    ///< neither tested nor written
+    less,    ///< the nearer wins, of equal ones the first; written
+    greater, ///< the same where depth is reversed: 1 is near
 };
 
 /// Draws triangle lists. There are no vertex attributes: vertex shaders read storage buffers by gl_VertexIndex.
