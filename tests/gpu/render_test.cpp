@@ -1,0 +1,158 @@
+// The public `render`: what a baked scene refers to is found, decoded and exposed.
+#include "vkbake/render.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "imageio/encode.hpp"
+#include "vkbake/vkbake.hpp"
+
+namespace {
+
+using vkbake::Image;
+using vkbake::Scene;
+
+const vkbake::Device& device() {
+    static const vkbake::Device opened = vkbake::open_device({.name = {}, .validation = true});
+    return opened;
+}
+
+Image map_of(const glm::vec3& value) {
+    return {.width = 1, .height = 1, .texels = {glm::vec4(value, 1.0F)}, .coverage = {}};
+}
+
+vkbake::EncodedImage png(const Image& image) {
+    const std::vector<std::uint8_t> bytes = vkbake::encode_image(image, vkbake::ImageFormat::png8).bytes;
+    const auto* const data = reinterpret_cast<const std::byte*>(bytes.data());
+    return {.name = "map", .mime_type = "image/png", .bytes = {data, data + bytes.size()}};
+}
+
+/// A white square that more than fills the view of its camera "front", 90° high.
+Scene wall() {
+    Scene scene;
+    scene.name = "wall";
+    vkbake::Primitive primitive;
+    primitive.positions = {{-3.0F, 3.0F, -2.0F}, {3.0F, 3.0F, -2.0F}, {3.0F, -3.0F, -2.0F}, {-3.0F, -3.0F, -2.0F}};
+    primitive.tex_coords[1] = {{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 1.0F}};
+    primitive.indices = {0, 3, 1, 1, 3, 2};
+    primitive.material = 0;
+    scene.meshes.emplace_back();
+    scene.meshes[0].primitives.push_back(primitive);
+    scene.instances.emplace_back();
+    scene.materials.emplace_back();
+    scene.cameras.emplace_back();
+    scene.cameras[0].name = "front";
+    scene.cameras[0].vertical_field_of_view = std::acos(0.0);
+    return scene;
+}
+
+vkbake::RenderSettings small(double stops = 0.0) {
+    vkbake::RenderSettings settings;
+    settings.width = settings.height = 8;
+    settings.exposure = stops;
+    return settings;
+}
+
+glm::vec4 middle_of(const Scene& scene, const vkbake::RenderSettings& settings = small()) {
+    const Image picture = vkbake::render(scene, {}, settings, device());
+    EXPECT_EQ(picture.width, settings.width);
+    EXPECT_EQ(picture.height, settings.height);
+    return picture.texels.at(picture.index(picture.width / 2, picture.height / 2));
+}
+
+/// Grey radiance from 0.08 to 0.7 as the display shows it: less the 0.04 that the tone mapping takes off, sRGB-encoded.
+double shown(double radiance) { return 1.055 * std::pow(radiance - 0.04, 1.0 / 2.4) - 0.055; }
+
+TEST(Render, ExposesEmbeddedAndLinearLightMapsAlike) {
+    Scene scene = wall();
+    scene.images.push_back(png(map_of(glm::vec3(1.0F))));
+    scene.materials[0].light_map =
+        vkbake::LightMapUse{.texture = {.image = 0, .tex_coord = 1}, .intensity = 50.0F, .linear_file = {}};
+    EXPECT_NEAR(middle_of(scene).g, shown(0.4), 1e-3);
+    EXPECT_NEAR(middle_of(scene, small(-1.0)).g, shown(0.2), 1e-3);
+
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "vkbake-render";
+    std::filesystem::create_directories(folder);
+    vkbake::write_image(folder / "map.exr", map_of({0.01F, 0.02F, 0.0F}));
+    scene.directory = folder.string();
+    scene.materials[0].light_map->linear_file = "map.exr";
+    const glm::vec4 green = middle_of(scene);
+    EXPECT_GT(green.g, green.r) << "the EXR's values, not the white image's";
+    EXPECT_GT(green.r, green.b);
+    std::filesystem::remove_all(folder);
+    EXPECT_NEAR(middle_of(scene).r, shown(0.4), 1e-3) << "without the EXR the embedded image serves";
+}
+
+TEST(Render, EmbeddedLightMapIsIrradiance) {
+    // Two materials of one image, whose intensities make one wall white and the mean of both 1.5 times as bright.
+    Scene scene = wall();
+    scene.images.push_back(png(map_of(glm::vec3(1.0F))));
+    const auto use = [](double intensity) {
+        return vkbake::LightMapUse{
+            .texture = {.image = 0, .tex_coord = 1}, .intensity = static_cast<float>(intensity), .linear_file = {}};
+    };
+    scene.materials[0].light_map = use(std::numbers::pi);
+    scene.materials.emplace_back();
+    scene.materials[1].light_map = use(2.0 * std::numbers::pi);
+    EXPECT_NEAR(middle_of(scene).g, shown(0.4 / 1.5), 1e-3);
+}
+
+TEST(Render, OcclusionTexturesServeWhereThereIsNoLightMap) {
+    Scene scene = wall();
+    scene.images.push_back(png(map_of({0.5F, 1.0F, 1.0F}))); // occlusion is the red channel
+    scene.materials[0].occlusion_texture = vkbake::TextureUse{.image = 0, .tex_coord = 1};
+    const glm::vec4 pixel = middle_of(scene);
+    EXPECT_NEAR(pixel.r, shown(0.4), 1e-3);
+    EXPECT_EQ(pixel.r, pixel.g);
+    EXPECT_EQ(pixel.g, pixel.b);
+}
+
+TEST(Render, SkyIsShownBehindUnlessItIsLeftOut) {
+    Scene scene = wall();
+    scene.images.push_back(png(map_of(glm::vec3(1.0F))));
+    scene.materials[0].light_map =
+        vkbake::LightMapUse{.texture = {.image = 0, .tex_coord = 1}, .intensity = 3.14159265F, .linear_file = {}};
+    scene.instances[0].translation = {100.0, 0.0, 0.0};
+    vkbake::Sky sky;
+    sky.source = vkbake::ConstantSky{{0.5F, 0.25F, 0.5F}};
+    sky.intensity = 2.0;
+    const Image picture = vkbake::render(scene, sky, small(), device());
+    EXPECT_NEAR(picture.texels[0].r, shown(0.4), 1e-3);
+    EXPECT_NEAR(picture.texels[0].g, shown(0.2), 1e-3);
+    vkbake::RenderSettings without_sky = small();
+    without_sky.show_sky = false;
+    const Image black = vkbake::render(scene, sky, without_sky, device());
+    EXPECT_EQ(black.texels[0], glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));
+}
+
+void expect_refused(const Scene& scene, const vkbake::RenderSettings& settings, const std::vector<std::string>& words) {
+    try {
+        (void)vkbake::render(scene, {}, settings, device());
+        FAIL() << "drew it";
+    } catch (const vkbake::Error& error) {
+        EXPECT_EQ(error.kind(), vkbake::ErrorKind::bad_input);
+        for (const std::string& word : words) {
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(Render, RefusesScenesWithoutLightMapsAndUnknownCameras) {
+    Scene scene = wall();
+    expect_refused(scene, {}, {"wall", "light map"});
+    scene.materials[0].light_map =
+        vkbake::LightMapUse{.texture = {.image = 3, .tex_coord = 1}, .intensity = 1.0F, .linear_file = {}};
+    expect_refused(scene, {}, {"wall", "image 3"});
+    scene.materials[0].light_map->texture.image = 0;
+    scene.images.push_back(png(map_of(glm::vec3(1.0F))));
+    vkbake::RenderSettings settings = small();
+    settings.camera = "roof";
+    expect_refused(scene, settings, {"wall", "roof", "front"});
+}
+
+} // namespace
