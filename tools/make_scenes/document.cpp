@@ -1,0 +1,229 @@
+#include "make_scenes/document.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "make_scenes/textures.hpp"
+#include "make_scenes/turn.hpp"
+
+namespace vkbake::scenes {
+namespace {
+
+constexpr int array_buffer = 34962;
+constexpr int element_array_buffer = 34963;
+constexpr int unsigned_short = 5123;
+constexpr int unsigned_int = 5125;
+constexpr int float_32 = 5126;
+
+Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+// The rotation that takes the axes to right, up and backward; Shepperd's choice of the largest component is not needed,
+// because no camera here looks backward along +Z while turned over.
+glm::dvec4 to_quaternion(const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& back) {
+    const double w = 0.5 * std::sqrt(std::max(0.0, 1.0 + right.x + up.y + back.z));
+    if (w > 1e-3) {
+        const double s = 0.25 / w;
+        return {(up.z - back.y) * s, (back.x - right.z) * s, (right.y - up.x) * s, w};
+    }
+    const double y = 0.5 * std::sqrt(std::max(0.0, 1.0 - right.x + up.y - back.z));
+    const double s = 0.25 / y;
+    return {(up.x + right.y) * s, y, (back.y + up.z) * s, (back.x - right.z) * s};
+}
+
+void append_word(std::vector<std::byte>& bytes, std::uint32_t value) {
+    for (int shift = 0; shift < 32; shift += 8) {
+        bytes.push_back(static_cast<std::byte>(value >> shift & 0xFFU));
+    }
+}
+
+} // namespace
+
+glm::dvec4 rotation_about_y(double turns) {
+    const glm::dvec2 half = on_circle(turns / 2.0);
+    return {0.0, half.y, 0.0, half.x};
+}
+
+std::size_t Document::add_view(const void* data, std::size_t size, int target) {
+    m_binary.resize((m_binary.size() + 3) / 4 * 4);
+    Json view{{"buffer", 0}, {"byteOffset", m_binary.size()}, {"byteLength", size}};
+    if (target != 0) {
+        view["target"] = target;
+    }
+    const std::size_t start = m_binary.size();
+    m_binary.resize(start + size);
+    std::memcpy(m_binary.data() + start, data, size);
+    m_json["bufferViews"].push_back(std::move(view));
+    return m_json["bufferViews"].size() - 1;
+}
+
+template<class T>
+std::size_t Document::add_accessor(const std::vector<T>& values, const char* type, bool with_bounds) {
+    Json accessor{{"bufferView", add_view(values.data(), values.size() * sizeof(T), array_buffer)},
+                  {"componentType", float_32},
+                  {"count", values.size()},
+                  {"type", type}};
+    if (with_bounds) {
+        Json low = Json::array();
+        Json high = Json::array();
+        for (int c = 0; c < T::length(); ++c) {
+            const auto [least, most] =
+                std::minmax_element(values.begin(), values.end(), [c](const T& a, const T& b) { return a[c] < b[c]; });
+            low.push_back(static_cast<double>((*least)[c]));
+            high.push_back(static_cast<double>((*most)[c]));
+        }
+        accessor["min"] = std::move(low);
+        accessor["max"] = std::move(high);
+    }
+    m_json["accessors"].push_back(std::move(accessor));
+    return m_json["accessors"].size() - 1;
+}
+
+std::size_t Document::add_indices(const Patch& patch) {
+    const bool narrow = patch.positions.size() < 65535;
+    std::size_t view = 0;
+    if (narrow) {
+        std::vector<std::uint16_t> short_indices;
+        for (const std::uint32_t index : patch.indices) {
+            short_indices.push_back(static_cast<std::uint16_t>(index));
+        }
+        view = add_view(short_indices.data(), short_indices.size() * sizeof(std::uint16_t), element_array_buffer);
+    } else {
+        view = add_view(patch.indices.data(), patch.indices.size() * sizeof(std::uint32_t), element_array_buffer);
+    }
+    m_json["accessors"].push_back({{"bufferView", view},
+                                   {"componentType", narrow ? unsigned_short : unsigned_int},
+                                   {"count", patch.indices.size()},
+                                   {"type", "SCALAR"}});
+    return m_json["accessors"].size() - 1;
+}
+
+std::size_t Document::texture(Texture kind) {
+    const auto [found, is_new] = m_textures.try_emplace(kind, m_textures.size());
+    if (is_new) {
+        const std::vector<std::byte> file = encode_png(make_texture(kind));
+        const std::size_t view = add_view(file.data(), file.size(), 0);
+        m_json["images"].push_back(
+            {{"name", kind == Texture::wood ? "wood" : "grain"}, {"bufferView", view}, {"mimeType", "image/png"}});
+        m_json["textures"].push_back({{"sampler", 0}, {"source", found->second}});
+        m_json["samplers"] = Json::array({{{"magFilter", 9729}, {"minFilter", 9987}}});
+    }
+    return found->second;
+}
+
+std::size_t Document::material(Paint paint) {
+    const auto [found, is_new] = m_materials.try_emplace(paint, m_materials.size());
+    if (is_new) {
+        const PaintInfo& info = paint_info(paint);
+        Json surface{{"baseColorFactor", {info.colour.x, info.colour.y, info.colour.z, 1.0}},
+                     {"metallicFactor", 0.0},
+                     {"roughnessFactor", 0.9}};
+        if (info.texture != Texture::none) {
+            surface["baseColorTexture"] = {{"index", texture(info.texture)}};
+        }
+        m_json["materials"].push_back({{"name", info.name}, {"pbrMetallicRoughness", std::move(surface)}});
+    }
+    return found->second;
+}
+
+std::size_t Document::add_mesh(const std::string& name, const std::vector<Patch>& patches) {
+    Json primitives = Json::array();
+    for (const Patch& patch : patches) {
+        Json attributes{{"POSITION", add_accessor(patch.positions, "VEC3", true)}};
+        attributes["NORMAL"] = add_accessor(patch.normals, "VEC3", false);
+        if (!patch.tex_coords_0.empty()) {
+            attributes["TEXCOORD_0"] = add_accessor(patch.tex_coords_0, "VEC2", false);
+        }
+        if (!patch.tex_coords_1.empty()) {
+            attributes["TEXCOORD_1"] = add_accessor(patch.tex_coords_1, "VEC2", false);
+        }
+        Json primitive{{"attributes", std::move(attributes)}};
+        primitive["indices"] = add_indices(patch);
+        primitive["material"] = material(patch.paint);
+        primitives.push_back(std::move(primitive));
+    }
+    m_json["meshes"].push_back({{"name", name}, {"primitives", std::move(primitives)}});
+    return m_json["meshes"].size() - 1;
+}
+
+std::size_t Document::add_node(const Node& node) {
+    Json json{{"name", node.name}};
+    if (node.mesh) {
+        json["mesh"] = *node.mesh;
+    }
+    if (node.camera) {
+        json["camera"] = *node.camera;
+    }
+    if (node.translation != glm::dvec3(0.0)) {
+        json["translation"] = to_json(node.translation);
+    }
+    if (node.rotation != glm::dvec4(0.0, 0.0, 0.0, 1.0)) {
+        const glm::dvec4& q = node.rotation;
+        json["rotation"] = Json::array({q.x, q.y, q.z, q.w});
+    }
+    if (node.scale != glm::dvec3(1.0)) {
+        json["scale"] = to_json(node.scale);
+    }
+    const std::size_t index = m_json.contains("nodes") ? m_json["nodes"].size() : 0;
+    m_json["nodes"].push_back(std::move(json));
+    if (node.parent) {
+        m_json["nodes"][*node.parent]["children"].push_back(index);
+    } else {
+        m_json["scenes"][0]["nodes"].push_back(index);
+    }
+    return index;
+}
+
+void Document::add_main_camera(const glm::dvec3& eye, const glm::dvec3& target, double vertical_field_of_view) {
+    const auto unit = [](const glm::dvec3& v) { return v / glm::length(v); };
+    const glm::dvec3 back = unit(eye - target);
+    const glm::dvec3 right = unit(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back));
+    const glm::dvec3 up = glm::cross(back, right);
+    m_json["cameras"].push_back(
+        {{"name", "main"},
+         {"type", "perspective"},
+         {"perspective",
+          {{"aspectRatio", 16.0 / 9.0}, {"yfov", vertical_field_of_view}, {"znear", 0.05}, {"zfar", 200.0}}}});
+    Node node;
+    node.name = "main";
+    node.camera = m_json["cameras"].size() - 1;
+    node.translation = eye;
+    node.rotation = to_quaternion(right, up, back);
+    add_node(node);
+}
+
+std::vector<std::byte> Document::to_glb() const {
+    Json json{{"asset", {{"version", "2.0"}, {"generator", "vkbake make_scenes"}}}, {"scene", 0}};
+    for (const char* key : {"scenes", "nodes", "cameras", "meshes", "materials", "textures", "images", "samplers",
+                            "accessors", "bufferViews"}) {
+        if (m_json.contains(key)) {
+            json[key] = m_json[key];
+        }
+    }
+    std::vector<std::byte> binary = m_binary;
+    binary.resize((binary.size() + 3) / 4 * 4);
+    json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
+    std::string text = json.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+
+    constexpr std::uint32_t header_size = 12;
+    constexpr std::uint32_t chunk_header_size = 8;
+    std::vector<std::byte> glb;
+    append_word(glb, 0x46546C67); // "glTF"
+    append_word(glb, 2);
+    append_word(glb, static_cast<std::uint32_t>(header_size + 2 * chunk_header_size + text.size() + binary.size()));
+    append_word(glb, static_cast<std::uint32_t>(text.size()));
+    append_word(glb, 0x4E4F534A); // "JSON"
+    for (const char c : text) {
+        glb.push_back(static_cast<std::byte>(c));
+    }
+    append_word(glb, static_cast<std::uint32_t>(binary.size()));
+    append_word(glb, 0x004E4942); // "BIN"
+    glb.insert(glb.end(), binary.begin(), binary.end());
+    return glb;
+}
+
+} // namespace vkbake::scenes

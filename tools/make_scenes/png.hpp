@@ -1,0 +1,21 @@
+// PNG files of up to 16 colours, written the same way everywhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vkbake::scenes {
+
+struct PaletteImage {
+    std::uint32_t side = 0;                           ///< texels, even
+    std::vector<std::array<std::uint8_t, 3>> palette; ///< sRGB, at most 16
+    std::vector<std::uint8_t> texels;                 ///< side², row 0 on top, each below palette.size()
+};
+
+/// The image at 4 bits a texel, its deflate stream stored and not compressed: a compressor's choices are not ours to
+/// fix.
+[[nodiscard]] std::vector<std::byte> encode_png(const PaletteImage& image);
+
+} // namespace vkbake::scenes

@@ -1,0 +1,81 @@
+#include "make_scenes/textures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace vkbake::scenes {
+namespace {
+
+constexpr std::uint32_t side = 256;
+
+std::uint32_t mixed(std::uint32_t h) { // a 32-bit finaliser after MurmurHash3
+    h ^= h >> 16;
+    h *= 0x85EBCA6BU;
+    h ^= h >> 13;
+    h *= 0xC2B2AE35U;
+    return h ^ h >> 16;
+}
+
+// Smooth noise in 0…1 that repeats after one texture; `across` and `along` are its lattice's counts.
+double noise(double u, double v, std::uint32_t across, std::uint32_t along, std::uint32_t seed) {
+    const double x = u * across;
+    const double y = v * along;
+    const auto x0 = static_cast<std::uint32_t>(x);
+    const auto y0 = static_cast<std::uint32_t>(y);
+    const auto eased = [](double t) { return t * t * (3.0 - 2.0 * t); };
+    const double fx = eased(x - x0);
+    const double fy = eased(y - y0);
+    const auto value = [&](std::uint32_t i, std::uint32_t j) {
+        return random_of(mixed(seed + (i % across) * 7919U) + (j % along) * 104729U);
+    };
+    const double low = value(x0, y0) + (value(x0 + 1, y0) - value(x0, y0)) * fx;
+    const double high = value(x0, y0 + 1) + (value(x0 + 1, y0 + 1) - value(x0, y0 + 1)) * fx;
+    return low + (high - low) * fy;
+}
+
+double wood(double u, double v) {
+    // Lines that wander: the noise that bends them is long along the fibres.
+    const double bent = u + 0.05 * noise(u, v, 4, 2, 1);
+    const double wrapped = bent - std::floor(bent);
+    const double rings = noise(wrapped, v, 22, 2, 2);
+    const double fibres = noise(wrapped, v, 110, 6, 3);
+    return 0.62 * rings + 0.38 * fibres;
+}
+
+double grain(double u, double v) {
+    return 0.30 * noise(u, v, 6, 6, 11) + 0.30 * noise(u, v, 24, 24, 12) + 0.40 * noise(u, v, 110, 110, 13);
+}
+
+} // namespace
+
+double random_of(std::uint32_t number) { return mixed(number * 0x9E3779B9U + 0x7F4A7C15U) / 4294967296.0; }
+
+PaletteImage make_texture(Texture texture) {
+    PaletteImage image;
+    image.side = side;
+    // sRGB bytes from the darkest to the lightest: wood's dark lines are warmer than its light ones.
+    const std::array<double, 3> dark =
+        texture == Texture::wood ? std::array{188.0, 172.0, 158.0} : std::array{214.0, 212.0, 210.0};
+    const std::array<double, 3> light =
+        texture == Texture::wood ? std::array{252.0, 250.0, 246.0} : std::array{254.0, 254.0, 254.0};
+    for (int k = 0; k < 16; ++k) {
+        std::array<std::uint8_t, 3> colour{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            colour[c] = static_cast<std::uint8_t>(dark[c] + (light[c] - dark[c]) * k / 15.0 + 0.5);
+        }
+        image.palette.push_back(colour);
+    }
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const double u = static_cast<double>(x) / side;
+            const double v = static_cast<double>(y) / side;
+            const double value = texture == Texture::wood ? wood(u, v) : grain(u, v);
+            const double stretched = std::clamp((value - 0.2) / 0.6, 0.0, 1.0);
+            image.texels.push_back(static_cast<std::uint8_t>(stretched * 15.0 + 0.5));
+        }
+    }
+    return image;
+}
+
+} // namespace vkbake::scenes
