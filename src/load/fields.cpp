@@ -6,6 +6,11 @@ namespace vkbake::gltf {
 
 namespace {
 
+/// Numbers that a step before wrote are signed in the library's eyes, whatever their value.
+bool is_unsigned(const Json& value) {
+    return value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
+}
+
 std::string name_of(const Json& object) {
     if (object.is_object()) {
         const auto name = object.find("name");
@@ -40,7 +45,7 @@ std::optional<std::uint64_t> Fields::unsigned_integer(const char* key) const {
         return std::nullopt;
     }
     constexpr std::uint64_t largest = 1ULL << 53U;
-    if (!value->is_number_unsigned() || value->get<std::uint64_t>() > largest) {
+    if (!is_unsigned(*value) || value->get<std::uint64_t>() > largest) {
         fail('"' + std::string(key) + "\" is not an integer of 0 or more");
     }
     return value->get<std::uint64_t>();
@@ -81,7 +86,7 @@ std::vector<std::uint32_t> Fields::indices(const char* key, std::size_t count) c
     std::vector<std::uint32_t> result;
     result.reserve(array->size());
     for (const Json& entry : *array) {
-        if (!entry.is_number_unsigned() || entry.get<std::uint64_t>() >= count) {
+        if (!is_unsigned(entry) || entry.get<std::uint64_t>() >= count) {
             fail('"' + std::string(key) + "\" holds " + printable(entry.dump()) + ", which is none of the " +
                  std::to_string(count) + " there are");
         }
