@@ -23,11 +23,12 @@ struct RenderSettings {
 
 /// Draws a scene that was loaded from what write_bake wrote: base colour × light map + emission. A light map is its EXR
 /// where that lies beside the scene, otherwise the image that the scene embeds; a scene without any is lit by its
-/// occlusion textures. A surface without light map gets the mean of all maps. BLEND surfaces are painted from far to
-/// near; both sides show. The automatic exposure shows a white surface in the mean light of all maps at 0.4: pictures
-/// of one bake, from whatever camera, are exposed alike, and a night is as bright as a noon. Tone mapping is Khronos
-/// PBR Neutral, 4 × 4 samples a pixel. Returns display-referred sRGB-encoded values in [0,1], alpha 1. Throws
-/// Error{bad_input} where the scene has no light maps or no such camera, Error{usage} for sizes out of 1 … 16384.
+/// occlusion textures. A surface without light map gets the mean of all maps' texels that are not black. BLEND surfaces
+/// are painted from far to near; both sides show. The automatic exposure shows a white surface in that mean light at
+/// 0.4: pictures of one bake, from whatever camera, are exposed alike, and a night is as bright as a noon. Tone mapping
+/// is Khronos PBR Neutral, 4 × 4 samples a pixel. Returns display-referred sRGB-encoded values in [0,1], alpha 1.
+/// Throws Error{bad_input} where the scene has no light maps or no such camera, Error{usage} for sizes out of 1 …
+/// 16384.
 [[nodiscard]] Image render(const Scene& baked, const Sky& sky, const RenderSettings& settings, const Device& device);
 
 } // namespace vkbake

@@ -24,6 +24,12 @@ TEST(PreviewExposure, MeanIsOverBakedFiniteTexels) {
     EXPECT_EQ(vkbake::mean_light({covered, plain}), glm::dvec3(2.0));
 }
 
+TEST(PreviewExposure, BlackTexelsDoNotCount) {
+    std::vector<glm::vec4> texels(1000, glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));
+    texels[3] = texels[500] = glm::vec4(2.0F);
+    EXPECT_EQ(vkbake::mean_light({map_of(texels)}), glm::dvec3(2.0));
+}
+
 TEST(PreviewExposure, ScalesInverselyWithTheLight) {
     const double noon = vkbake::automatic_exposure({map_of({glm::vec4(1000.0F)})});
     const double night = vkbake::automatic_exposure({map_of({glm::vec4(0.001F)})});
