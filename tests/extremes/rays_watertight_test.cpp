@@ -47,7 +47,7 @@ TEST(RaysWatertight, NoneLeavesASphere) {
 }
 
 TEST(RaysWatertight, NoneLeavesAFanOfNeedles) {
-    EXPECT_EQ(escapes(needle_fan(1000), Accelerator::bvh, 100000, 0.02F), 0);
+    EXPECT_EQ(escapes(needle_fan(300), Accelerator::bvh, 100000, 0.02F), 0);
     EXPECT_EQ(escapes(needle_fan(100), Accelerator::clusters, 10000, 0.02F), 0);
 }
 
