@@ -56,10 +56,12 @@ private:
     Context::State& m_state;
 };
 
-/// Waiting on the fence alone does not make device writes visible to the host.
-void make_visible_to_host(const vk::raii::CommandBuffer& commands) {
-    const vk::MemoryBarrier2 barrier(vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
-                                     vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
+/// Waiting on the fence alone makes device writes visible neither to the host nor to the next run.
+void make_visible(const vk::raii::CommandBuffer& commands) {
+    using enum vk::AccessFlagBits2;
+    const vk::MemoryBarrier2 barrier(vk::PipelineStageFlagBits2::eAllCommands, eMemoryWrite,
+                                     vk::PipelineStageFlagBits2::eAllCommands | vk::PipelineStageFlagBits2::eHost,
+                                     eMemoryRead | eMemoryWrite | eHostRead);
     commands.pipelineBarrier2(vk::DependencyInfo({}, barrier));
 }
 
@@ -151,6 +153,7 @@ void complete(Context::State& state) {
 Context::Context(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 
 Context::~Context() {
+    m_kept.clear();
     m_state->staging_upload.reset(); // buffers use the state until they are gone
     m_state->staging_read_back.reset();
 }
@@ -169,7 +172,7 @@ void Context::run(const std::function<void(Commands&)>& record) {
         Commands::State recorded{*m_state};
         Commands recorder(recorded);
         record(recorder);
-        make_visible_to_host(commands);
+        make_visible(commands);
         commands.end();
         submit_and_wait(*m_state);
     });

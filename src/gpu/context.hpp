@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 namespace vkbake::gpu {
@@ -47,10 +49,22 @@ public:
     /// The validation layers' warnings and errors that no run has thrown yet; they are forgotten here.
     [[nodiscard]] std::vector<std::string> take_validation_messages();
 
+    /// The context's own T: made as T(context) at the first call, kept as long as the context. For a stage's programs
+    /// and small buffers, which are used page after page.
+    template<class T>
+    [[nodiscard]] T& kept() {
+        std::shared_ptr<void>& slot = m_kept[typeid(T)];
+        if (!slot) {
+            slot = std::make_shared<T>(*this);
+        }
+        return *static_cast<T*>(slot.get());
+    }
+
     [[nodiscard]] State& state() const { return *m_state; } ///< for src/gpu alone
 
 private:
     std::unique_ptr<State> m_state;
+    std::map<std::type_index, std::shared_ptr<void>> m_kept; ///< after the state: these use it until they are gone
 };
 
 } // namespace vkbake::gpu
