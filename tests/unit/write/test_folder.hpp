@@ -1,6 +1,7 @@
 // A folder of its own for the running test, removed at the end.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
