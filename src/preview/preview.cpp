@@ -240,8 +240,8 @@ private:
         parallel_ranges(
             row_length * static_cast<std::size_t>(tile.height), row_length, 0, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
-                    const glm::dvec2 pixel(tile.x + static_cast<double>(i % row_length) + 0.5,
-                                           tile.y + static_cast<double>(i / row_length) + 0.5);
+                    const glm::ivec2 place(static_cast<int>(i % row_length), static_cast<int>(i / row_length));
+                    const glm::dvec2 pixel = glm::dvec2(tile.x, tile.y) + glm::dvec2(place) + 0.5;
                     const glm::dvec2 point = pixel / glm::dvec2(m_settings.width, m_settings.height);
                     texels[i] = sky ? glm::vec4(sky(glm::vec3(direction_through(m_camera, aspect(), point))), 1.0F)
                                     : glm::vec4(0.0F);
