@@ -47,8 +47,7 @@ void write_bytes(const std::filesystem::path& file, const std::vector<std::uint8
 bool same_bits(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && a.texels.size() == b.texels.size() &&
            std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(glm::vec4)) == 0 &&
-           a.coverage.size() == b.coverage.size() &&
-           std::memcmp(a.coverage.data(), b.coverage.data(), a.coverage.size() * sizeof(float)) == 0;
+           a.coverage == b.coverage;
 }
 
 TEST(RoundTrip, ExrKeepsEveryBitAndCoverage) {
