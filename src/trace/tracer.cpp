@@ -47,13 +47,14 @@ TriangleAccelerator make_accelerator(const Surface& surface, const Settings& set
             {settings.accelerator, settings.triangle_test, settings.cluster_splits, settings.threads}};
 }
 
-/// Traces all chunks of 16 texels, and says how far it is some ten times a second. Reports come between bands of
-/// chunks, so that they come from this thread; a band's size follows the clock, which changes no result.
+/// Traces the texels in chunks, and says how far it is some ten times a second. Reports come between bands of chunks,
+/// so that they come from this thread; the sizes of chunks and bands change no result.
 RayCounts trace_chunks(std::span<const std::uint32_t> texels, std::uint64_t rays_a_texel, int threads,
                        const ChunkTracer& trace_chunk, const TraceProgress& progress) {
-    constexpr std::size_t chunk_size = 16;
-    constexpr std::uint64_t worthwhile_rays =
-        4096; // below this, handing work to a thread costs more than a per cent of it
+    // Below this, handing work to a thread costs more than a per cent of it.
+    constexpr std::uint64_t worthwhile_rays = 4096;
+    constexpr std::uint64_t first_band_rays = 1U << 18U;
+    const std::size_t chunk_size = rays_a_texel < worthwhile_rays ? 16 : 1;
     const std::size_t grain = static_cast<std::size_t>(worthwhile_rays / (rays_a_texel * chunk_size)) + 1;
     const std::size_t chunk_count = (texels.size() + chunk_size - 1) / chunk_size;
 
@@ -61,7 +62,7 @@ RayCounts trace_chunks(std::span<const std::uint32_t> texels, std::uint64_t rays
     if (chunk_count == 0 && progress) {
         (void)progress(1.0, 0); // nothing is left to stop
     }
-    std::size_t band = 16 * grain;
+    std::size_t band = static_cast<std::size_t>(first_band_rays / (rays_a_texel * chunk_size)) + 2;
     for (std::size_t first = 0; first < chunk_count;) {
         const auto start = std::chrono::steady_clock::now();
         const std::size_t count = std::min(band, chunk_count - first);
@@ -77,7 +78,7 @@ RayCounts trace_chunks(std::span<const std::uint32_t> texels, std::uint64_t rays
         }
         first += count;
         if (progress && !progress(static_cast<double>(first) / static_cast<double>(chunk_count), total.rays)) {
-            throw Error(ErrorKind::interrupted, "trace: stopped on request; start again to bake the whole map");
+            throw Error(ErrorKind::interrupted, "interrupted");
         }
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         band = seconds < 0.06 ? band * 2 : (seconds > 0.15 ? std::max<std::size_t>(band / 2, 1) : band);

@@ -1,0 +1,51 @@
+// The pipeline: its stages in order, and nothing else.
+#include "atlas/make_atlas.hpp"
+#include "base/boundary.hpp"
+#include "finish/dilate.hpp"
+#include "geometry_image/draw.hpp"
+#include "stage_clock.hpp"
+#include "surface/make_surface.hpp"
+#include "trace/tracer.hpp"
+#include "vkbake/vkbake.hpp"
+
+namespace vkbake {
+namespace {
+
+Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, const Device& device,
+                const Progress& progress) {
+    Bake bake{.settings = settings, .device = device.name(), .sky = sky.name, .notes = scene.notes};
+    StageClock clock(progress);
+
+    bake.surface = clock.run("surface", [&] { return make_surface(scene); });
+    if (bake.surface.triangle_count() == 0) {
+        throw Error(ErrorKind::bad_input,
+                    scene.name + ": there is nothing to bake, no node shows a triangle; check the scene");
+    }
+    bake.atlas = clock.run("atlas", [&] { return make_atlas(scene, bake.surface, settings); });
+    bake.notes.insert(bake.notes.end(), bake.atlas.notes.begin(), bake.atlas.notes.end());
+    const Tracer tracer = clock.run("accelerator", [&] { return Tracer(bake.surface, sky, settings); });
+
+    const std::size_t pages = bake.atlas.pages.size();
+    for (std::size_t page = 0; page < pages; ++page) {
+        clock.begin_page(page, pages);
+        const GeometryImage geometry = clock.run("geometry image", [&] {
+            return draw_geometry_image(device.context(), bake.surface, bake.atlas, static_cast<std::uint32_t>(page));
+        });
+        LightMap map = clock.run("trace", [&] { return tracer.trace(geometry, clock.trace_progress()); });
+        map.name = bake.atlas.pages[page].name;
+        map.statistics.filled_texels =
+            clock.run("finish", [&] { return dilate(device.context(), map.image, {.rounds = settings.padding}); });
+        bake.light_maps.push_back(std::move(map));
+    }
+    bake.stages = clock.seconds();
+    return bake;
+}
+
+} // namespace
+
+Bake bake(const Scene& scene, const Sky& sky, const Settings& settings, const Device& device,
+          const Progress& progress) {
+    return at_boundary([&] { return run_stages(scene, sky, settings, device, progress); });
+}
+
+} // namespace vkbake

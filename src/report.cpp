@@ -1,0 +1,96 @@
+#include "vkbake/report.hpp"
+
+#include "base/json.hpp"
+
+namespace vkbake {
+namespace {
+
+Json vector_json(const glm::dvec3& value) { return Json::array({value.x, value.y, value.z}); }
+
+Json map_json(const LightMap& map) {
+    const LightMapStatistics& statistics = map.statistics;
+    return {{"name", map.name},
+            {"width", map.image.width},
+            {"height", map.image.height},
+            {"covered_texels", statistics.covered_texels},
+            {"filled_texels", statistics.filled_texels},
+            {"rays", statistics.rays},
+            {"occluded_rays", statistics.occluded_rays},
+            {"skipped_directions", statistics.skipped_directions},
+            {"probed_hits", statistics.probed_hits},
+            {"back_side_hits", statistics.back_side_hits},
+            {"seconds", statistics.seconds}};
+}
+
+} // namespace
+
+std::string to_json(const Inspection& inspection) {
+    const Json json = {{"meshes", inspection.meshes},
+                       {"instances", inspection.instances},
+                       {"materials", inspection.materials},
+                       {"images", inspection.images},
+                       {"cameras", inspection.cameras},
+                       {"triangles", inspection.triangles},
+                       {"area", inspection.area},
+                       {"box_low", vector_json(inspection.box_low)},
+                       {"box_high", vector_json(inspection.box_high)},
+                       {"instances_with_uvs", inspection.instances_with_uvs},
+                       {"light_maps", inspection.light_maps},
+                       {"charts", inspection.charts},
+                       {"pages", inspection.pages},
+                       {"density", inspection.density},
+                       {"covered_texels", inspection.covered_texels},
+                       {"rays", inspection.rays},
+                       {"notes", inspection.notes}};
+    return json.dump(2);
+}
+
+std::string to_json(const Comparison& comparison) {
+    const Json json = {{"covered_a", comparison.covered_a},
+                       {"covered_b", comparison.covered_b},
+                       {"covered_both", comparison.covered_both},
+                       {"not_finite", comparison.not_finite},
+                       {"root_mean_square", comparison.root_mean_square},
+                       {"relative_root_mean_square", comparison.relative_root_mean_square},
+                       {"mean_a", comparison.mean_a},
+                       {"mean_b", comparison.mean_b},
+                       {"maximum", comparison.maximum},
+                       {"maximum_x", comparison.maximum_x},
+                       {"maximum_y", comparison.maximum_y}};
+    return json.dump(2);
+}
+
+std::string to_json(const std::vector<DeviceReport>& devices) {
+    Json list = Json::array();
+    for (const DeviceReport& device : devices) {
+        list.push_back({{"name", device.name},
+                        {"driver", device.driver},
+                        {"type", device.type},
+                        {"usable", device.usable},
+                        {"deterministic", device.deterministic},
+                        {"refusals", device.refusals}});
+    }
+    return Json{{"devices", list}}.dump(2);
+}
+
+std::string to_json(const Bake& bake) {
+    Json maps = Json::array();
+    for (const LightMap& map : bake.light_maps) {
+        maps.push_back(map_json(map));
+    }
+    Json stages = Json::object();
+    for (const StageSeconds& stage : bake.stages) {
+        stages[stage.stage] = stage.seconds;
+    }
+    const Json json = {{"device", bake.device},
+                       {"sky", bake.sky},
+                       {"triangles", bake.surface.triangle_count()},
+                       {"charts", bake.atlas.chart_count},
+                       {"density", bake.atlas.density},
+                       {"light_maps", maps},
+                       {"stage_seconds", stages},
+                       {"notes", bake.notes}};
+    return json.dump(2);
+}
+
+} // namespace vkbake
