@@ -1,0 +1,69 @@
+#include "bake_options.hpp"
+
+#include "choice.hpp"
+#include "vkbake/vkbake.hpp"
+
+namespace vkbake::cli {
+
+Sky SkyOptions::load() const {
+    Sky sky = load_sky(source);
+    sky.rotation_degrees = rotation_degrees;
+    sky.intensity = intensity;
+    return sky;
+}
+
+void add_sky_options(CLI::App& app, SkyOptions& options) {
+    app.add_option("--sky", options.source,
+                   "The light from all around: clear (the CIE standard clear sky), a colour R,G,B, an equirectangular "
+                   "image, a cube map as a strip or cross, or six files separated by commas")
+        ->type_name("FILE|R,G,B|clear")
+        ->capture_default_str();
+    app.add_option("--sky-rotate", options.rotation_degrees, "Turn the sky about +Y, degrees")->capture_default_str();
+    app.add_option("--sky-intensity", options.intensity, "Multiply the sky's radiance")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+}
+
+void add_atlas_options(CLI::App& app, Settings& settings) {
+    app.add_option("--size", settings.size, "Side of a page, or of each object's map, in texels")
+        ->check(CLI::Range(1, 16384))
+        ->capture_default_str();
+    app.add_option_function<double>(
+           "--density", [&settings](double density) { settings.density = density; },
+           "Texels per metre; without it, the most that fit one page")
+        ->check(CLI::PositiveNumber);
+    add_choice(app, "--layout", settings.layout, "One map for the scene, or one for each object");
+    add_choice(app, "--uv", settings.uv, "Keep TEXCOORD_1 where it will do and make it elsewhere, keep it, or make it");
+    app.add_option("--gutter", settings.gutter, "Empty texels between charts")
+        ->check(CLI::Range(0, 64))
+        ->capture_default_str();
+    app.add_option("--max-pages", settings.max_pages, "How many pages may be opened")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+}
+
+void add_light_options(CLI::App& app, Settings& settings) {
+    add_choice(app, "--mode", settings.mode,
+               "What a texel stores: the radiance of a white surface (E/pi), or visibility");
+    app.add_option_function<double>(
+           "--ao-distance", [&settings](double metres) { settings.ao_distance = metres; },
+           "Metres beyond which nothing occludes (mode ao)")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--rays", settings.rays, "Rays a texel")->check(CLI::Range(1U, 1U << 24U))->capture_default_str();
+    add_choice(app, "--sampler", settings.sampler, "How directions are chosen");
+    add_choice(app, "--accelerator", settings.accelerator, "What rays are traced against; never changes the result");
+    add_choice(app, "--triangle-test", settings.triangle_test,
+               "The ray-triangle test; moller-trumbore with brute and clusters only");
+    app.add_option("--cluster-splits", settings.cluster_splits, "Parts that the clusters cut each axis into")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    app.add_option("--seed", settings.seed, "Of the random numbers")->capture_default_str();
+    app.add_option("--padding", settings.padding, "Rounds of dilation around the charts")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    app.add_option("--threads", settings.threads, "That trace; 0: all cores. Never changes the result")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+}
+
+} // namespace vkbake::cli

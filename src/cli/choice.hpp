@@ -1,0 +1,33 @@
+// Flags whose value is one of an enum's names.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "vkbake/names.hpp"
+
+namespace vkbake::cli {
+
+template<typename Enum>
+CLI::Option* add_choice(CLI::App& app, const std::string& flag, Enum& target, const std::string& help) {
+    std::string choices;
+    std::vector<std::string> names;
+    for (const auto& [name, value] : Names<Enum>::values) {
+        names.emplace_back(name);
+        choices += (choices.empty() ? "" : "|") + std::string(name);
+    }
+    return app
+        .add_option_function<std::string>(
+            flag, [&target](const std::string& text) { target = value_named<Enum>(text).value(); }, help)
+        ->check([names, choices](const std::string& text) {
+            return std::find(names.begin(), names.end(), text) != names.end()
+                       ? std::string()
+                       : "\"" + text + "\" is not one of " + choices;
+        })
+        ->type_name(choices)
+        ->default_str(std::string(name_of(target)));
+}
+
+} // namespace vkbake::cli
