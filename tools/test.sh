@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Sets everything up and runs all tests: optimised, then under the address and undefined-behaviour sanitizers.
+# The Vulkan validation layers (synchronization validation too) are on throughout: any message fails its test.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+tools/setup.sh
+export VKBAKE_VALIDATION=1
+jobs=$(nproc)
+for preset in release asan-ubsan; do
+    echo "== $preset"
+    cmake --preset "$preset" -DVKBAKE_TESTS=ON -DVKBAKE_TOOLS=ON >/dev/null
+    cmake --build --preset "$preset" -j "$jobs"
+    ctest --preset "$preset" -j "$jobs"
+done
