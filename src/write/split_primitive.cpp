@@ -74,6 +74,7 @@ std::vector<PrimitivePiece> split_primitive(const Primitive& primitive, const Su
         }
     }
     std::vector<PrimitivePiece> pieces;
+    pieces.reserve(builders.size());
     for (auto& [page, builder] : builders) {
         pieces.push_back(builder.take());
     }
