@@ -17,7 +17,6 @@
 
 #include "imageio/decode.hpp"
 #include "preview/camera.hpp"
-#include "preview/exposure.hpp"
 #include "preview/preview.hpp"
 #include "trace/sky_lookup.hpp"
 #include "vkbake/error.hpp"
@@ -136,7 +135,8 @@ Image render(const Scene& baked, const Sky& sky, const RenderSettings& settings,
     const PreviewSettings preview{.width = settings.width,
                                   .height = settings.height,
                                   .light_only = settings.light_only,
-                                  .exposure = automatic_exposure(images.light_maps) * std::exp2(settings.exposure)};
+                                  .exposure = std::exp2(settings.exposure),
+                                  .metered = true};
     return draw_preview(device.context(), baked, images, camera, radiance, preview);
 }
 

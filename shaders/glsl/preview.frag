@@ -36,7 +36,7 @@ void main() {
         discard;
     }
     vec3 base = textured.rgb;
-    if (constants.light_only != 0) {
+    if (constants.show == PREVIEW_SHOW_LIGHT_ONLY) {
         base = constants.base_color.rgb;
         emitted = vec3(0.0);
     }
@@ -44,5 +44,5 @@ void main() {
     if (constants.ambient.a > 0.0) {
         light = constants.ambient.a * light_at(light_uv);
     }
-    radiance = vec4(base * light + emitted, textured.a);
+    radiance = constants.show == PREVIEW_SHOW_METERED ? vec4(light, 1.0) : vec4(base * light + emitted, textured.a);
 }

@@ -9,6 +9,8 @@ namespace vkbake {
 
 namespace {
 
+constexpr double black_share = 0.01; ///< of the mean: what is darker counts as black
+
 double luminance(const glm::dvec3& color) { return glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722)); } // Rec. 709
 
 /// Of the covered, finite texels whose luminance is at least `least`.
@@ -32,14 +34,32 @@ glm::dvec3 mean_above(const std::vector<Image>& light_maps, double least) {
 } // namespace
 
 glm::dvec3 mean_light(const std::vector<Image>& light_maps) {
-    constexpr double black = 0.01;
-    return mean_above(light_maps, black * luminance(mean_above(light_maps, 0.0)));
+    return mean_above(light_maps, black_share * luminance(mean_above(light_maps, 0.0)));
 }
 
-double automatic_exposure(const std::vector<Image>& light_maps) {
+std::optional<double> metered_exposure(std::span<const glm::vec4> light) {
     constexpr double shown_white = 0.4;
-    const double light = luminance(mean_light(light_maps));
-    return light > 0.0 ? shown_white / light : 1.0;
+    std::vector<double> seen;
+    double sum = 0.0;
+    for (const glm::vec4& pixel : light) {
+        const double value = luminance(glm::dvec3(pixel));
+        if (pixel.a > 0.0F && std::isfinite(value) && value > 0.0) {
+            seen.push_back(value);
+            sum += value;
+        }
+    }
+    double logarithms = 0.0;
+    std::size_t count = 0;
+    for (const double value : seen) {
+        if (value >= black_share * sum / static_cast<double>(seen.size())) {
+            logarithms += std::log(value);
+            ++count;
+        }
+    }
+    if (count == 0) {
+        return std::nullopt;
+    }
+    return shown_white / std::exp(logarithms / static_cast<double>(count));
 }
 
 } // namespace vkbake

@@ -94,10 +94,11 @@ public:
             m_light_maps.push_back(sampled_image(context, gpu::Format::rgba32f, map.width, map.height,
                                                  std::as_bytes(std::span(map.texels))));
         }
-        m_ambient = glm::vec3(mean_light(images.light_maps));
+        m_mean = mean_light(images.light_maps);
     }
 
     [[nodiscard]] const PreviewGeometry& geometry() const { return m_geometry; }
+    [[nodiscard]] const glm::dvec3& mean() const { return m_mean; }
 
     /// In the order of the shaders' bindings.
     [[nodiscard]] std::array<gpu::Resource, 5> bindings(const PreviewDraw& draw) const {
@@ -111,16 +112,17 @@ public:
     }
 
     /// All but what is the same for every draw.
-    [[nodiscard]] PreviewConstants constants(const PreviewDraw& draw, bool light_only) const {
+    [[nodiscard]] PreviewConstants constants(const PreviewDraw& draw, std::uint32_t show) const {
         const Material fallback;
         const Material* const known = material_of(draw);
         const Material& material = known != nullptr ? *known : fallback;
         PreviewConstants constants{};
-        constants.base_color = light_only ? glm::vec4(grey, grey, grey, material.base_color.a) : material.base_color;
+        constants.base_color =
+            show == PREVIEW_SHOW_LIGHT_ONLY ? glm::vec4(grey, grey, grey, material.base_color.a) : material.base_color;
         constants.emissive =
             glm::vec4(material.emissive, material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : -1.0F);
-        constants.ambient = glm::vec4(m_ambient, light_map_of(draw) == PreviewImages::none ? 0.0F : 1.0F);
-        constants.light_only = light_only ? 1 : 0;
+        constants.ambient = glm::vec4(m_mean, light_map_of(draw) == PreviewImages::none ? 0.0F : 1.0F);
+        constants.show = show;
         return constants;
     }
 
@@ -153,7 +155,7 @@ private:
     std::vector<gpu::Buffer> m_indices;
     std::vector<std::optional<gpu::Image>> m_textures; ///< one an image of the scene
     std::vector<gpu::Image> m_light_maps;
-    glm::vec3 m_ambient{0.0F};
+    glm::dvec3 m_mean{0.0}; ///< mean_light
 };
 
 gpu::GraphicsDescription surface_program(bool blend) {
@@ -173,13 +175,14 @@ gpu::GraphicsDescription surface_program(bool blend) {
 class Pass {
 public:
     Pass(gpu::Context& context, const Camera& camera, const PreviewSettings& settings, int width, int height)
-        : m_context(context), m_camera(camera), m_settings(settings), m_opaque(context, surface_program(false)),
-          m_blended(context, surface_program(true)), m_sky(context, {.vertex_shader = "preview_sky.vert",
-                                                                     .fragment_shader = "preview_sky.frag",
-                                                                     .slots = {gpu::Slot::sampled_image},
-                                                                     .constant_bytes = sizeof(ResolveConstants),
-                                                                     .colors = {radiance_format},
-                                                                     .depth_target = true}),
+        : m_context(context), m_camera(camera), m_settings(settings), m_exposure(settings.exposure),
+          m_opaque(context, surface_program(false)), m_blended(context, surface_program(true)),
+          m_sky(context, {.vertex_shader = "preview_sky.vert",
+                          .fragment_shader = "preview_sky.frag",
+                          .slots = {gpu::Slot::sampled_image},
+                          .constant_bytes = sizeof(ResolveConstants),
+                          .colors = {radiance_format},
+                          .depth_target = true}),
           m_resolve(context, {.shader = "preview_resolve.comp",
                               .slots = {gpu::Slot::storage_image, gpu::Slot::storage_image},
                               .constant_bytes = sizeof(ResolveConstants)}),
@@ -197,13 +200,37 @@ public:
           m_upload(context, m_background.size(), gpu::Memory::upload),
           m_result(context, m_picture.size(), gpu::Memory::read_back) {}
 
+    /// Sets the exposure by the light on the opaque surfaces, seen in a small picture with one sample a pixel.
+    void meter(const Resources& resources) {
+        constexpr int largest = 256;
+        const double scale =
+            std::min(1.0, static_cast<double>(largest) / std::max(m_settings.width, m_settings.height));
+        const auto scaled = [&](int side) { return std::max(static_cast<int>(scale * side), 1); };
+        const Tile all{0, 0, scaled(m_settings.width), scaled(m_settings.height)};
+        const gpu::Image light(m_context,
+                               {.format = radiance_format, .width = all.width, .height = all.height, .target = true});
+        const gpu::Image depth(m_context,
+                               {.format = gpu::Format::d32, .width = all.width, .height = all.height, .target = true});
+        const gpu::Buffer result(m_context, light.size(), gpu::Memory::read_back);
+        m_context.run([&](gpu::Commands& commands) {
+            commands.render(
+                {.colors = {{.image = &light}}, .depth = gpu::DepthTarget{.image = &depth, .clear = 0.0F}}, [&] {
+                    record_surfaces(commands, resources, all, {all.width, all.height}, PREVIEW_SHOW_METERED);
+                });
+            commands.barrier(gpu::Stage::draw, gpu::Stage::copy);
+            commands.copy(light, {0, 0, all.width, all.height}, result);
+        });
+        const std::array<glm::vec4, 1> mean{glm::vec4(resources.mean(), 1.0F)};
+        m_exposure *= metered_exposure(result.as<glm::vec4>()).value_or(metered_exposure(mean).value_or(1.0));
+    }
+
     void draw(const Resources& resources, const PreviewSky& sky, const Tile& tile, Image& picture) {
         look_up_sky(sky, tile);
         const gpu::Region pixels{0, 0, tile.width, tile.height};
         const gpu::Region samples{0, 0, tile.width * m_settings.samples, tile.height * m_settings.samples};
         const ResolveConstants constants{
             static_cast<std::uint32_t>(tile.width), static_cast<std::uint32_t>(tile.height),
-            static_cast<std::uint32_t>(m_settings.samples), static_cast<float>(m_settings.exposure)};
+            static_cast<std::uint32_t>(m_settings.samples), static_cast<float>(m_exposure)};
         m_context.run([&](gpu::Commands& commands) {
             commands.copy(m_upload, 0, m_background, pixels);
             commands.barrier(gpu::Stage::copy, gpu::Stage::draw);
@@ -214,7 +241,8 @@ public:
                 [&] {
                     commands.draw(m_sky, 3, std::array{gpu::sampled(m_background, {.filter = gpu::Filter::nearest})},
                                   gpu::bytes_of(constants));
-                    record_surfaces(commands, resources, tile);
+                    record_surfaces(commands, resources, tile, {m_settings.width, m_settings.height},
+                                    m_settings.light_only ? PREVIEW_SHOW_LIGHT_ONLY : PREVIEW_SHOW_ALL);
                 },
                 samples);
             commands.barrier(gpu::Stage::draw, gpu::Stage::compute);
@@ -249,17 +277,20 @@ private:
             });
     }
 
-    void record_surfaces(gpu::Commands& commands, const Resources& resources, const Tile& tile) {
+    /// `tile` of a picture of `size`.
+    void record_surfaces(gpu::Commands& commands, const Resources& resources, const Tile& tile, const glm::dvec2& size,
+                         std::uint32_t show) {
         const PreviewGeometry& geometry = resources.geometry();
         const glm::dmat4 whole = projection(m_camera, aspect(), geometry.near, geometry.far);
         // The tile's part of the clip space becomes all of it.
-        const glm::dvec2 size(m_settings.width, m_settings.height);
         const glm::dvec2 part(tile.width, tile.height);
         const glm::dvec2 middle = (2.0 * glm::dvec2(tile.x, tile.y) + part) / size - 1.0;
         const glm::dvec2 zoom = size / part;
-        for (std::size_t i = 0; i < geometry.draws.size(); ++i) {
+        // What is seen through a blended surface is what the light is measured on.
+        const std::size_t count = show == PREVIEW_SHOW_METERED ? geometry.opaque_draws : geometry.draws.size();
+        for (std::size_t i = 0; i < count; ++i) {
             const PreviewDraw& draw = geometry.draws[i];
-            PreviewConstants constants = resources.constants(draw, m_settings.light_only);
+            PreviewConstants constants = resources.constants(draw, show);
             constants.clip_scale = glm::vec2(zoom * glm::dvec2(whole[0][0], whole[1][1]));
             constants.clip_offset = glm::vec2(-zoom * middle);
             constants.depth = glm::vec4(glm::dvec4(whole[2][2], whole[3][2], whole[2][3], whole[3][3]));
@@ -271,6 +302,7 @@ private:
     gpu::Context& m_context;
     const Camera& m_camera;
     const PreviewSettings& m_settings;
+    double m_exposure;
     gpu::GraphicsProgram m_opaque;
     gpu::GraphicsProgram m_blended;
     gpu::GraphicsProgram m_sky;
@@ -304,6 +336,9 @@ Image draw_preview(gpu::Context& context, const Scene& scene, const PreviewImage
     const Resources resources(context, scene, images, make_geometry(scene, camera, images.occlusion, chunk_bytes));
     const int side = std::max(settings.tile / settings.samples, 1);
     Pass pass(context, camera, settings, std::min(side, settings.width), std::min(side, settings.height));
+    if (settings.metered) {
+        pass.meter(resources);
+    }
     Image picture{.width = settings.width, .height = settings.height, .texels = {}, .coverage = {}};
     picture.texels.resize(static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height));
     for (int y = 0; y < settings.height; y += side) {

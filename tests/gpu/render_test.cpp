@@ -88,8 +88,9 @@ TEST(Render, ExposesEmbeddedAndLinearLightMapsAlike) {
     EXPECT_NEAR(middle_of(scene).r, shown(0.4), 1e-3) << "without the EXR the embedded image serves";
 }
 
-TEST(Render, EmbeddedLightMapIsIrradiance) {
-    // Two materials of one image, whose intensities make one wall white and the mean of both 1.5 times as bright.
+/// A wall that fills the left half of the view of wall()'s camera (1) or the right half (2), or all of it behind them
+/// (3), by the embedded light map at π or 2π times its values.
+Scene two_walls(std::initializer_list<int> parts) {
     Scene scene = wall();
     scene.images.push_back(png(map_of(glm::vec3(1.0F))));
     const auto use = [](double intensity) {
@@ -99,7 +100,43 @@ TEST(Render, EmbeddedLightMapIsIrradiance) {
     scene.materials[0].light_map = use(std::numbers::pi);
     scene.materials.emplace_back();
     scene.materials[1].light_map = use(2.0 * std::numbers::pi);
-    EXPECT_NEAR(middle_of(scene).g, shown(0.4 / 1.5), 1e-3);
+    scene.meshes.push_back(scene.meshes[0]);
+    scene.meshes[1].primitives[0].material = 1;
+    scene.instances.clear();
+    for (const int part : parts) {
+        scene.instances.emplace_back();
+        scene.instances.back().mesh = part == 1 ? 0 : 1;
+        scene.instances.back().translation = {part == 1 ? -3.0 : part == 2 ? 3.0 : 0.0, 0.0, part == 3 ? -1.0 : 0.0};
+    }
+    return scene;
+}
+
+TEST(Render, EmbeddedLightMapIsIrradianceAndThePictureIsMetered) {
+    // Light 1 on the left half and 2 on the right: their geometric mean is √2.
+    const Image picture = vkbake::render(two_walls({1, 2}), {}, small(), device());
+    EXPECT_NEAR(picture.texels[picture.index(1, 4)].g, shown(0.4 / std::numbers::sqrt2), 1e-3);
+    EXPECT_NEAR(picture.texels[picture.index(6, 4)].g, shown(0.4 * std::numbers::sqrt2), 1e-3);
+}
+
+TEST(Render, LightThatThePictureDoesNotShowDoesNotExposeIt) {
+    EXPECT_NEAR(middle_of(two_walls({3})).g, shown(0.4), 1e-3) << "nothing else there";
+    Scene hidden = two_walls({3, 1, 1});
+    hidden.instances[1].translation.x = 0.0; // before the brighter wall
+    hidden.instances[2].translation.x = 50.0;
+    EXPECT_NEAR(middle_of(hidden).g, shown(0.4), 1e-3);
+    // The sky beside a wall does not count either, however bright.
+    vkbake::Sky sky;
+    sky.source = vkbake::ConstantSky{glm::vec3(100.0F)};
+    const Image beside = vkbake::render(two_walls({1}), sky, small(), device());
+    EXPECT_NEAR(beside.texels[beside.index(1, 4)].g, shown(0.4), 1e-3);
+}
+
+TEST(Render, GlassIsMeteredThrough) {
+    Scene scene = two_walls({1, 3});
+    scene.instances[0].translation = {0.0, 0.0, 0.0};
+    scene.materials[0].alpha_mode = vkbake::AlphaMode::blend;
+    scene.materials[0].base_color = {0.0F, 0.0F, 0.0F, 0.25F};
+    EXPECT_NEAR(middle_of(scene).g, shown(0.75 * 0.4), 1e-3);
 }
 
 TEST(Render, OcclusionTexturesServeWhereThereIsNoLightMap) {

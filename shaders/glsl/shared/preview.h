@@ -17,6 +17,12 @@ using uint = std::uint32_t;
 // Floats a vertex: position 3, base UV 2, emissive UV 2, light UV 2, colour 4.
 #define PREVIEW_VERTEX_FLOATS 13
 
+// What a surface shows: its radiance; that of base_color as it is, without texture and vertex colour but for alpha, and
+// without emission; or the light that falls on it, alpha 1.
+#define PREVIEW_SHOW_ALL 0u
+#define PREVIEW_SHOW_LIGHT_ONLY 1u
+#define PREVIEW_SHOW_METERED 2u
+
 // Side of a work group of the resolve pass.
 #define PREVIEW_GROUP 8
 
@@ -28,7 +34,7 @@ struct PreviewConstants {
     vec2 clip_scale;  // clip.xy = scale · eye.xy + offset · clip.w
     vec2 clip_offset;
     vec4 depth;       // clip.z = x · eye.z + y; clip.w = z · eye.z + w
-    uint light_only;  // 1: base_color as it is, without texture and vertex colour but for alpha; nothing emits
+    uint show;        // one of PREVIEW_SHOW_…
     uint unused_0;    // to a multiple of 16 bytes, which GLSL would add unasked
     uint unused_1;
     uint unused_2;

@@ -31,15 +31,29 @@ TEST(PreviewExposure, BlackTexelsDoNotCount) {
 }
 
 TEST(PreviewExposure, ScalesInverselyWithTheLight) {
-    const double noon = vkbake::automatic_exposure({map_of({glm::vec4(1000.0F)})});
-    const double night = vkbake::automatic_exposure({map_of({glm::vec4(0.001F)})});
-    EXPECT_NEAR(noon * 1000.0, 0.4, 1e-6);
-    EXPECT_NEAR(night * 0.001, 0.4, 1e-6);
+    EXPECT_NEAR(vkbake::metered_exposure(std::vector{glm::vec4(1000.0F)}).value() * 1000.0, 0.4, 1e-6);
+    EXPECT_NEAR(vkbake::metered_exposure(std::vector{glm::vec4(0.001F)}).value() * 0.001, 0.4, 1e-6);
 }
 
-TEST(PreviewExposure, DarknessStaysDark) {
-    EXPECT_EQ(vkbake::automatic_exposure({}), 1.0);
-    EXPECT_EQ(vkbake::automatic_exposure({map_of({{0.0F, 0.0F, 0.0F, 1.0F}})}), 1.0);
+TEST(PreviewExposure, MetersTheGeometricMeanOfLuminances) {
+    // Rec. 709: green of 1 ÷ 0.7152 is as bright as white of 1.
+    const std::vector<glm::vec4> light{{0.25F, 0.25F, 0.25F, 1.0F}, {0.0F, 1.0F / 0.7152F, 0.0F, 1.0F}};
+    EXPECT_NEAR(vkbake::metered_exposure(light).value(), 0.4 / 0.5, 1e-6);
+}
+
+TEST(PreviewExposure, NeitherSkyNorBlackNorNanCounts) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<glm::vec4> light{{2.0F, 2.0F, 2.0F, 1.0F},
+                                       {90.0F, 90.0F, 90.0F, 0.0F},
+                                       {nan, 1.0F, 1.0F, 1.0F},
+                                       {0.0F, 0.0F, 0.0F, 1.0F},
+                                       {0.009F, 0.009F, 0.009F, 1.0F}};
+    EXPECT_NEAR(vkbake::metered_exposure(light).value(), 0.4 / 2.0, 1e-6);
+}
+
+TEST(PreviewExposure, DarknessHasNone) {
+    EXPECT_FALSE(vkbake::metered_exposure({}).has_value());
+    EXPECT_FALSE(vkbake::metered_exposure(std::vector{glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)}).has_value());
 }
 
 } // namespace
