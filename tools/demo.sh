@@ -8,7 +8,8 @@ cmake --preset release -DVKBAKE_TESTS=OFF -DVKBAKE_TOOLS=OFF >/dev/null
 cmake --build --preset release
 vkbake=build/release/src/cli/vkbake
 
-"$vkbake" bake scenes/storage-room.glb -o out/storage-room
+# Half the default side leaves time for three times the rays: a smoother picture at less work.
+"$vkbake" bake scenes/storage-room.glb -o out/storage-room --size 512 --rays 768
 "$vkbake" render out/storage-room -o out/storage-room.png
 "$vkbake" render out/storage-room --light-only -o out/storage-room-light.png >/dev/null
 echo

@@ -14,6 +14,9 @@ namespace vkbake::scenes {
 [[nodiscard]] Model make_cannon_mount(); ///< 766; for make_cannon at cannon_on_mount
 [[nodiscard]] Model make_door();         ///< 5772; its front towards +Z
 
+/// The room of the scene storage-room.glb, not one of the table's: three walls under open rafters, open to +Z.
+[[nodiscard]] Model make_store();
+
 /// Where the cannon's origin lies when it rests on the mount, metres.
 inline constexpr glm::dvec3 cannon_on_mount{0.0, 0.62, 0.30};
 inline constexpr double trunnion_radius = 0.055;
