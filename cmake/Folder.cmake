@@ -1,7 +1,8 @@
-# One target a folder of src: vkbake_folder(NAME [USES library…]).
+# One target a folder of src: vkbake_folder(NAME [USES library…] [PRECOMPILE header…] [OPTIONS option…]).
+# Headers that cost seconds each time they are read are compiled once a folder.
 # Which folder may include which is not told here but held by tests/house.
 function(vkbake_folder name)
-    cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "USES;PRECOMPILE;OPTIONS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     if(NOT sources)
         return()
@@ -11,6 +12,10 @@ function(vkbake_folder name)
     target_include_directories(vkbake_${name} PRIVATE
         ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/shaders/glsl/shared)
     target_link_libraries(vkbake_${name} PRIVATE vkbake_options glm::glm ${ARG_USES})
+    target_compile_options(vkbake_${name} PRIVATE ${ARG_OPTIONS})
+    if(ARG_PRECOMPILE)
+        target_precompile_headers(vkbake_${name} PRIVATE ${ARG_PRECOMPILE})
+    endif()
     set_property(GLOBAL APPEND PROPERTY VKBAKE_FOLDERS vkbake_${name})
     set_property(GLOBAL APPEND PROPERTY VKBAKE_USES ${ARG_USES})
 endfunction()

@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 tools/setup.sh
-cmake --preset release -DVKBAKE_TESTS=OFF -DVKBAKE_TOOLS=OFF >/dev/null
+cmake --preset release -DCMAKE_UNITY_BUILD=ON -DVKBAKE_TESTS=OFF -DVKBAKE_TOOLS=OFF >/dev/null
 cmake --build --preset release
 vkbake=build/release/src/cli/vkbake
 

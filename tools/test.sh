@@ -9,7 +9,7 @@ export VKBAKE_VALIDATION=1
 jobs=$(nproc)
 for preset in release asan-ubsan; do
     echo "== $preset"
-    cmake --preset "$preset" -DVKBAKE_TESTS=ON -DVKBAKE_TOOLS=ON >/dev/null
+    cmake --preset "$preset" -DCMAKE_UNITY_BUILD=ON -DVKBAKE_TESTS=ON -DVKBAKE_TOOLS=ON >/dev/null
     cmake --build --preset "$preset" -j "$jobs"
     ctest --preset "$preset" -j "$jobs"
 done
