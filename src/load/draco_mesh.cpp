@@ -37,7 +37,8 @@ Counts read_counts(const Fields& where, draco::DecoderBuffer buffer) {
     if (header.encoder_type != draco::TRIANGULAR_MESH) {
         where.fail("its Draco data are no triangle mesh");
     }
-    buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+    buffer.set_bitstream_version(
+        static_cast<std::uint16_t>(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor)));
     if ((header.flags & METADATA_FLAG_MASK) != 0) {
         draco::GeometryMetadata metadata;
         require(draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata));
