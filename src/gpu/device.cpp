@@ -113,7 +113,7 @@ Device open_device(const DeviceOptions& options) {
                 return Device(make_context(instance, device));
             }
             for (const std::string& refusal : refusals) {
-                reasons += (reasons.empty() ? "" : "; ") + name + ": " + refusal;
+                reasons.append(reasons.empty() ? "" : "; ").append(name).append(": ").append(refusal);
             }
         }
         throw Error(ErrorKind::no_device,

@@ -1,7 +1,6 @@
 // Does the device round as the host does?
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "gpu/commands.hpp"
 #include "gpu/context.hpp"
@@ -42,10 +41,8 @@ std::vector<shared::SelfTestPair> operands() {
     return pairs;
 }
 
-template<class T>
-bool same_bits(T a, T b) {
-    return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
+bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 bool is_exact(const shared::SelfTestPair& in, const shared::SelfTestResult& out) {
     return same_bits(out.float_sum, in.float_a + in.float_b) && same_bits(out.float_product, in.float_a * in.float_b) &&
