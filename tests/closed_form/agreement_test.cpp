@@ -1,7 +1,6 @@
 // The same bytes from every accelerator and number of threads.
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -9,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "hand_made.hpp"
+#include "same_bits.hpp"
 #include "trace/tracer.hpp"
 
 namespace vkbake {
@@ -52,9 +52,7 @@ GeometryImage texels_of(const Surface& surface) {
 
 void expect_same(const LightMap& found, const LightMap& expected) {
     ASSERT_EQ(found.image.texels.size(), expected.image.texels.size());
-    EXPECT_EQ(std::memcmp(found.image.texels.data(), expected.image.texels.data(),
-                          expected.image.texels.size() * sizeof(glm::vec4)),
-              0);
+    EXPECT_TRUE(test::same_bits(found.image.texels, expected.image.texels));
     EXPECT_EQ(found.image.coverage, expected.image.coverage);
     EXPECT_EQ(found.statistics.covered_texels, expected.statistics.covered_texels);
     EXPECT_EQ(found.statistics.rays, expected.statistics.rays);

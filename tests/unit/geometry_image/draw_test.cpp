@@ -1,10 +1,9 @@
 // The pass against the reference in the same arithmetic, to the bit; and what must not change the bits.
-#include <cstring>
-
 #include <gtest/gtest.h>
 
 #include "geometry_image/draw.hpp"
 #include "geometry_image/reference.hpp"
+#include "same_bits.hpp"
 #include "unit/geometry_image/surfaces.hpp"
 #include "vkbake/device.hpp"
 #include "vkbake/error.hpp"
@@ -14,6 +13,7 @@ namespace {
 
 using test::Kind;
 using test::MappedSurface;
+using test::same_bits;
 
 class DrawGeometryImage : public testing::Test {
 protected:
@@ -30,10 +30,6 @@ private:
         return opened;
     }
 };
-
-bool same_bits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec3)) == 0;
-}
 
 void expect_same(const GeometryImage& a, const GeometryImage& b) {
     ASSERT_EQ(a.width, b.width);

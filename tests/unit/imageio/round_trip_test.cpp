@@ -2,7 +2,6 @@
 #include <bit>
 #include <cmath>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "imageio/encode.hpp"
 #include "imageio/staged_file.hpp"
+#include "same_bits.hpp"
 #include "test_images.hpp"
 #include "vkbake/vkbake.hpp"
 
@@ -45,8 +45,7 @@ void write_bytes(const std::filesystem::path& file, const std::vector<std::uint8
 }
 
 bool same_bits(const Image& a, const Image& b) {
-    return a.width == b.width && a.height == b.height && a.texels.size() == b.texels.size() &&
-           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(glm::vec4)) == 0 &&
+    return a.width == b.width && a.height == b.height && test::same_bits(a.texels, b.texels) &&
            a.coverage == b.coverage;
 }
 
@@ -82,7 +81,8 @@ TEST(RoundTrip, SameBytesEachTime) {
     }
 }
 
-// RGBE shares one exponent. The largest channel's mantissa is 128 … 255, so half a step is at most 1/256 of that channel.
+// RGBE shares one exponent. The largest channel's mantissa is 128 … 255, so half a step is at most 1/256 of that
+// channel.
 TEST(RoundTrip, HdrRoundsToHalfAStep) {
     const TemporaryFolder folder;
     const Image image = gradient(false);
