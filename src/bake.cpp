@@ -14,6 +14,7 @@ namespace {
 Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, const Device& device,
                 const Progress& progress) {
     Bake bake{.settings = settings, .device = device.name(), .sky = sky.name, .notes = scene.notes};
+    bake.notes.insert(bake.notes.end(), sky.notes.begin(), sky.notes.end());
     StageClock clock(progress);
 
     bake.surface = clock.run("surface", [&] { return make_surface(scene); });

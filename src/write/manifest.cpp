@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "vkbake/error.hpp"
+#include "vkbake/names.hpp"
 #include "vkbake/vkbake.hpp"
 #include "write/hash.hpp"
 
@@ -11,15 +12,6 @@ namespace vkbake {
 namespace {
 
 constexpr int manifest_version = 1;
-
-const char* name_of(Layout layout) { return layout == Layout::atlas ? "atlas" : "object"; }
-const char* name_of(UvSource uv) { return uv == UvSource::automatic ? "auto" : uv == UvSource::keep ? "keep" : "make"; }
-const char* name_of(Mode mode) { return mode == Mode::irradiance ? "irradiance" : "ao"; }
-const char* name_of(Sampler sampler) { return sampler == Sampler::cosine ? "cosine" : "thesis"; }
-const char* name_of(Accelerator accelerator) {
-    return accelerator == Accelerator::bvh ? "bvh" : accelerator == Accelerator::clusters ? "clusters" : "brute";
-}
-const char* name_of(TriangleTest test) { return test == TriangleTest::watertight ? "watertight" : "moller-trumbore"; }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
