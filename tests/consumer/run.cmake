@@ -1,5 +1,5 @@
 # Installs the package to a temporary prefix, builds the consumer against it and runs it.
-# cmake -DBUILD=<build tree> -DSOURCE=<project> -DCONFIG=<type> -P run.cmake
+# cmake -DBUILD=<build tree> -DSOURCE=<project> -DCONFIG=<type> -DGENERATOR=<generator> -DFLAGS=<flags> -P run.cmake
 set(work ${BUILD}/tests/consumer)
 file(REMOVE_RECURSE ${work})
 
@@ -11,7 +11,7 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/build -DCMAKE_PREFIX_PATH=${work}/prefix
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${work}/prefix
     -DCMAKE_BUILD_TYPE=${CONFIG} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/own_device)
