@@ -10,7 +10,7 @@
 namespace {
 
 std::string contents(const std::string& file) {
-    std::ifstream stream(std::string(VKBAKE_SOURCE_DIR) + "/" + file, std::ios::binary);
+    std::ifstream stream(std::filesystem::path(VKBAKE_SOURCE_DIR) / file, std::ios::binary);
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
@@ -45,7 +45,7 @@ TEST(Readme, EveryPathItNamesExists) {
     const std::regex path("[`(]((?:src|docs|tools|tests|scenes)/[A-Za-z0-9_./-]+)");
     int found = 0;
     for (std::sregex_iterator match(readme.begin(), readme.end(), path), end; match != end; ++match, ++found) {
-        EXPECT_TRUE(std::filesystem::exists(std::string(VKBAKE_SOURCE_DIR) + "/" + (*match)[1].str())) << (*match)[1];
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VKBAKE_SOURCE_DIR) / (*match)[1].str())) << (*match)[1];
     }
     EXPECT_GT(found, 5);
 }
