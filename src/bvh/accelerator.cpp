@@ -76,6 +76,12 @@ std::optional<Hit> TriangleAccelerator::nearest(const Ray& ray) const {
     return Hit{m_state->numbers[hit.rank], hit.distance, hit.back_side};
 }
 
+BlockedRays TriangleAccelerator::blocked(const RayBlock& block, BlockScratch& scratch) const {
+    return m_state->caster->blocked(block, m_state->bounds, scratch);
+}
+
+BlockScratch TriangleAccelerator::make_scratch() const { return m_state->caster->make_scratch(); }
+
 AcceleratorStatistics TriangleAccelerator::statistics() const {
     AcceleratorStatistics statistics = m_state->caster->statistics();
     statistics.triangles = m_state->numbers.size();

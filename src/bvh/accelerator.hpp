@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "bvh/ray_block.hpp"
 #include "vkbake/settings.hpp"
 
 namespace vkbake {
@@ -46,6 +48,17 @@ struct AcceleratorStatistics {
     std::size_t bytes = 0;  ///< held while tracing
 };
 
+/// What one thread needs to ask blocks of rays, so that nothing is allocated meanwhile. Made by the accelerator that is
+/// going to be asked, used by one thread at a time; what it holds changes how fast an answer comes, never which.
+class BlockScratch {
+public:
+    BlockScratch() = default;
+    explicit BlockScratch(std::size_t queue_capacity) : nodes(queue_capacity), rays(queue_capacity) {}
+
+    std::vector<std::uint32_t> nodes; ///< of rays that wait: where
+    std::vector<std::uint32_t> rays;  ///< which
+};
+
 /// A set of triangles that answers rays. With the same test every kind gives the same answer to every ray, bit for bit:
 /// a box never hides a triangle that the test would hit. Triangles without area (their corners on a line) never block.
 /// Both sides block. Rays may be asked from any number of threads; nothing is allocated while tracing.
@@ -64,6 +77,9 @@ public:
 
     [[nodiscard]] bool occluded(const Ray& ray) const;              ///< whether anything is met
     [[nodiscard]] std::optional<Hit> nearest(const Ray& ray) const; ///< what is met first
+    /// The same answers as occluded() gives to each ray that is active.
+    [[nodiscard]] BlockedRays blocked(const RayBlock& block, BlockScratch& scratch) const;
+    [[nodiscard]] BlockScratch make_scratch() const;
     [[nodiscard]] AcceleratorStatistics statistics() const;
 
 private:

@@ -17,6 +17,9 @@ public:
 
     [[nodiscard]] virtual bool occluded(const PreparedRay& ray) const = 0;
     [[nodiscard]] virtual NearestHit nearest(const PreparedRay& ray) const = 0;
+    /// Each ray of the block, of triangles that lie in `bounds`; one after the other unless a caster knows better.
+    [[nodiscard]] virtual BlockedRays blocked(const RayBlock& block, const Box& bounds, BlockScratch& scratch) const;
+    [[nodiscard]] virtual BlockScratch make_scratch() const { return {}; }
     /// `triangles` is not set.
     [[nodiscard]] virtual AcceleratorStatistics statistics() const = 0;
 };
