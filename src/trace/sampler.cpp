@@ -26,18 +26,4 @@ ThesisSampler::ThesisSampler() : m_samples{} {
 ThesisSampler::Texel::Texel(const ThesisSampler& sampler, const glm::vec3& normal)
     : m_sampler(&sampler), m_frame(thesis_frame(normal)) {}
 
-OrthonormalFrame thesis_frame(const glm::vec3& normal) {
-    const glm::vec3 up(0.0F, 1.0F, 0.0F);
-    const glm::vec3 tangent = glm::cross(normal, up);
-    const float length = glm::length(tangent);
-    // A float normal errs by about 1e-7 a coordinate: this near to ±up, its direction across up is noise, and a flat
-    // floor would be sampled by a frame that spins from texel to texel.
-    constexpr float parallel = 1e-6F;
-    if (length < parallel) {
-        return {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, normal};
-    }
-    const glm::vec3 unit_tangent = tangent / length;
-    return {unit_tangent, glm::normalize(glm::cross(normal, unit_tangent)), normal};
-}
-
 } // namespace vkbake

@@ -9,6 +9,7 @@
 
 #include "base/sampling.hpp"
 #include "base/sampling_sobol.hpp"
+#include "trace/thesis_directions.hpp"
 
 namespace vkbake {
 
@@ -76,9 +77,5 @@ public:
 private:
     std::array<HemisphereSample, sample_count> m_samples; ///< about +Z
 };
-
-/// The tangent frame of the thesis (§3.3.3): tangent = n × up, bitangent = n × tangent, both normalised, up being +Y;
-/// where n and up are parallel, (1, 0, 0) and (0, 0, 1). Left- or right-handed as the cross products give it.
-[[nodiscard]] OrthonormalFrame thesis_frame(const glm::vec3& normal);
 
 } // namespace vkbake

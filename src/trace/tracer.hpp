@@ -27,8 +27,8 @@ public:
     Tracer(const Tracer&) = delete;
     Tracer& operator=(const Tracer&) = delete;
 
-    /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called from the
-    /// calling thread only. Throws Error{interrupted} where it returned false.
+    /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called
+    /// from the calling thread only. Throws Error{interrupted} where it returned false.
     [[nodiscard]] LightMap trace(const GeometryImage& geometry, const TraceProgress& progress = {}) const;
 
 private:

@@ -1,0 +1,211 @@
+#include "trace/directions.hpp"
+
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/directions.cpp"
+// Vectors of a length that is not known when compiling cannot be members of a struct.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vkbake::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#include "trace/simd_rows.inl"
+
+#include "trace/simd_elementary.inl"
+
+/// As reverse_bits() of base/sampling_sobol.hpp.
+HWY_INLINE Words reverse_bits(Words word) {
+    const auto swap_odd_even = [&](auto shift, std::uint32_t mask) HWY_ATTR {
+        constexpr int distance = decltype(shift)::value;
+        word = hn::Or(hn::ShiftLeft<distance>(hn::And(word, set_word(mask))),
+                      hn::And(hn::ShiftRight<distance>(word), set_word(mask)));
+    };
+    swap_odd_even(std::integral_constant<int, 1>(), 0x55555555U);
+    swap_odd_even(std::integral_constant<int, 2>(), 0x33333333U);
+    swap_odd_even(std::integral_constant<int, 4>(), 0x0F0F0F0FU);
+    swap_odd_even(std::integral_constant<int, 8>(), 0x00FF00FFU);
+    return hn::Or(hn::ShiftLeft<16>(word), hn::ShiftRight<16>(word));
+}
+
+/// As nested_scramble_reversed() of base/sampling_sobol.hpp; the seed's product with its high half is the caller's.
+HWY_INLINE Words nested_scramble_reversed(Words word, Words seed, Words factor) {
+    word = hn::Xor(word, word * set_word(0x3D20ADEAU));
+    word = (word + seed) * factor;
+    word = hn::Xor(word, word * set_word(0x05526C56U));
+    return hn::Xor(word, word * set_word(0x53A22864U));
+}
+
+/// One coordinate's scramble of a part of the lanes.
+class Scramble {
+public:
+    /// `shift`: 32 for x, 0 for y (ScrambledSobol).
+    HWY_INLINE Scramble(const TileLanes& lanes, std::size_t first, unsigned shift)
+        : m_seed(hn::Zero(WordLanes())), m_factor(m_seed) {
+        alignas(64) std::array<std::uint32_t, RayBlock::lanes> seeds{};
+        for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
+            seeds[lane] = static_cast<std::uint32_t>(lanes.key[lane] >> shift);
+        }
+        m_seed = hn::Load(WordLanes(), &seeds[first]);
+        m_factor = hn::Or(hn::ShiftRight<16>(m_seed), set_word(1));
+    }
+
+    HWY_INLINE Words operator()(Words word) const {
+        return reverse_bits(nested_scramble_reversed(word, m_seed, m_factor));
+    }
+
+private:
+    Words m_seed, m_factor;
+};
+
+void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, StratumTables& tables) {
+    const WordLanes words;
+    const auto bits = static_cast<int>(strata.bits());
+    alignas(64) std::array<std::uint32_t, RayBlock::lanes> columns{};
+    alignas(64) std::array<std::uint32_t, RayBlock::lanes> rows{};
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(words)) {
+        const Scramble in_x(lanes, first, 32);
+        const Scramble in_y(lanes, first, 0);
+        for (std::uint32_t low = 0; low < (1U << strata.bits()); ++low) {
+            const auto cells = [&](const Scramble& scramble) HWY_ATTR {
+                return hn::ShiftRightSame(hn::ShiftRight<1>(scramble(set_word(low))), 31 - bits);
+            };
+            hn::Store(cells(in_x), words, columns.data());
+            hn::Store(cells(in_y), words, rows.data());
+            const CosineStrata::Part column = strata.column_part(low);
+            const CosineStrata::Part row = strata.row_part(low);
+            for (std::size_t i = 0; i < hn::Lanes(words); ++i) {
+                tables.columns[columns[i]].index[first + i] = column.index;
+                tables.columns[columns[i]].image[first + i] = column.image;
+                tables.rows[rows[i]].index[first + i] = row.index;
+                tables.rows[rows[i]].image[first + i] = row.image;
+            }
+        }
+    }
+}
+
+/// The first 24 digits x of a reversed coordinate as the number (2x + 1) / 2²⁴ − 1: exact, and never 0, ±1.
+HWY_INLINE Vector centred(Words digits) {
+    const WholeLanes wholes;
+    const Words doubled = hn::Or(hn::ShiftRight<7>(digits), set_word(1));
+    return hn::ConvertTo(Lanes(), hn::BitCast(wholes, doubled) - hn::Set(wholes, 1 << 24)) * set(0x1p-24F);
+}
+
+/// From a point of [−1, 1]² to a direction about +Z.
+HWY_INLINE Vector3 cosine_hemisphere(Vector x, Vector y) {
+    const Mask wide = hn::Gt(hn::Abs(x), hn::Abs(y));
+    const Vector radius = hn::IfThenElse(wide, x, y);
+    const Vector ratio = hn::IfThenElse(wide, y, x) / radius;
+    const SineCosineOf turn = sine_cosine(ratio * set(0x1.921fb6p-1F));
+    const Vector along = radius * turn.cosine;
+    const Vector across = radius * turn.sine;
+    // One of the two factors is exact, so near the horizon the height keeps all its digits.
+    const Vector height = hn::Sqrt((set(1.0F) - radius) * (set(1.0F) + radius));
+    return {hn::IfThenElse(wide, along, across), hn::IfThenElse(wide, across, along), height};
+}
+
+/// The frames of a part of the lanes.
+class Frames {
+public:
+    HWY_INLINE Frames(const TileLanes& lanes, std::size_t first)
+        : m_tangent(load(lanes.tangent, first)), m_bitangent(load(lanes.bitangent, first)),
+          m_normal(load(lanes.normal, first)), m_geometric_normal(load(lanes.geometric_normal, first)) {}
+
+    HWY_INLINE Vector3 to_world(const Vector3& local) const {
+        return {m_tangent.x * local.x + m_bitangent.x * local.y + m_normal.x * local.z,
+                m_tangent.y * local.x + m_bitangent.y * local.y + m_normal.y * local.z,
+                m_tangent.z * local.x + m_bitangent.z * local.y + m_normal.z * local.z};
+    }
+
+    HWY_INLINE Mask above(const Vector3& direction) const {
+        return hn::Gt(dot(direction, m_geometric_normal), hn::Zero(Lanes()));
+    }
+
+private:
+    Vector3 m_tangent, m_bitangent, m_normal, m_geometric_normal;
+};
+
+std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
+                                std::size_t number, RayBlock& block) {
+    const WordLanes words;
+    std::array<unsigned, RayBlock::strata> asked{};
+    std::array<unsigned, RayBlock::strata> active{};
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(words)) {
+        const Scramble in_x(lanes, first, 32);
+        const Scramble in_y(lanes, first, 0);
+        const Frames frames(lanes, first);
+        for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+            const std::uint64_t stratum = std::uint64_t{number} * RayBlock::strata + i;
+            const CosineStrata::Cell cell = strata.cell(stratum);
+            const CosineStrata::Part round = strata.round_part(strata.round(stratum));
+            const StratumTables::Rows& column = tables.columns[cell.column];
+            const StratumTables::Rows& row = tables.rows[cell.row];
+            const auto joined = [&](const auto& in_column, const auto& in_row, std::uint32_t in_round) HWY_ATTR {
+                return hn::Xor(hn::Xor(hn::Load(words, &in_column[first]), hn::Load(words, &in_row[first])),
+                               set_word(in_round));
+            };
+            const Words index = joined(column.index, row.index, round.index);
+            const Words image = joined(column.image, row.image, round.image);
+            const Vector3 direction = frames.to_world(cosine_hemisphere(centred(in_x(index)), centred(in_y(image))));
+            store(direction, block.direction[i], first);
+            asked[i] |= bits_at(first, hn::RebindMask(Lanes(), hn::Lt(index, set_word(strata.rays()))));
+            active[i] |= bits_at(first, frames.above(direction));
+        }
+    }
+    int count = 0;
+    for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+        asked[i] &= lanes.covered;
+        count += std::popcount(asked[i]);
+        block.active[i] = static_cast<RayBlock::LaneBits>(asked[i] & active[i]);
+    }
+    return static_cast<std::uint32_t>(count);
+}
+
+std::uint32_t thesis_directions(const ThesisDirections& directions, const TileLanes& lanes, std::size_t number,
+                                RayBlock& block) {
+    std::array<unsigned, RayBlock::strata> active{};
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+        const Frames frames(lanes, first);
+        for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+            const glm::vec3& local = directions.sample(number, i).direction;
+            const Vector3 direction = frames.to_world({set(local.x), set(local.y), set(local.z)});
+            store(direction, block.direction[i], first);
+            active[i] |= bits_at(first, frames.above(direction));
+        }
+    }
+    for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+        block.active[i] = static_cast<RayBlock::LaneBits>(active[i] & lanes.covered);
+    }
+    return static_cast<std::uint32_t>(std::popcount(lanes.covered)) * static_cast<std::uint32_t>(RayBlock::strata);
+}
+
+} // namespace vkbake::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vkbake {
+
+HWY_EXPORT(invert_scrambles);
+HWY_EXPORT(cosine_directions);
+HWY_EXPORT(thesis_directions);
+
+void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, StratumTables& tables) {
+    HWY_DYNAMIC_DISPATCH(invert_scrambles)(strata, lanes, tables);
+}
+
+std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
+                             std::size_t number, RayBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(cosine_directions)(strata, tables, lanes, number, block);
+}
+
+std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes, std::size_t number,
+                             RayBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(thesis_directions)(directions, lanes, number, block);
+}
+
+} // namespace vkbake
+#endif

@@ -1,0 +1,41 @@
+// The directions of a block of rays, sixteen texels at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "bvh/ray_block.hpp"
+#include "trace/cosine_strata.hpp"
+#include "trace/thesis_directions.hpp"
+#include "trace/tile_lanes.hpp"
+
+namespace vkbake {
+
+/// For each column and row of the cells, each lane's part of the index of the sample that lies there (CosineStrata).
+struct StratumTables {
+    struct Rows {
+        std::array<std::uint32_t, RayBlock::lanes> index{};
+        std::array<std::uint32_t, RayBlock::lanes> image{};
+    };
+    alignas(64) std::array<Rows, CosineStrata::most_cells> columns{};
+    alignas(64) std::array<Rows, CosineStrata::most_cells> rows{};
+};
+
+/// Inverts the scrambles of a tile's texels.
+void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, StratumTables& tables);
+
+// The two below set `direction` and `active` of a block: unit vectors to about 2⁻²², in the lanes' frames; active are
+// those of covered lanes that lie above the lane's geometric plane. The bits are the same on every machine.
+
+/// Cosine-weighted directions, density cos θ / π, of the strata [16 · number, 16 · number + 16): the concentric map of
+/// Shirley and Chiu 1997 lifted to the hemisphere (Malley). About the normal z ≥ 2⁻¹². Returns how many samples were
+/// asked for: those of covered lanes whose index is below strata.rays(); others are not active.
+[[nodiscard]] std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& tables,
+                                           const TileLanes& lanes, std::size_t number, RayBlock& block);
+
+/// The thesis's; all of the covered lanes' are asked for.
+[[nodiscard]] std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes,
+                                           std::size_t number, RayBlock& block);
+
+} // namespace vkbake
