@@ -10,7 +10,6 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -19,6 +18,7 @@
 #include "preview/camera.hpp"
 #include "preview/preview.hpp"
 #include "trace/sky_lookup.hpp"
+#include "trace/sky_sum.hpp"
 #include "vkbake/error.hpp"
 #include "vkbake/vkbake.hpp"
 
@@ -127,10 +127,8 @@ Image render(const Scene& baked, const Sky& sky, const RenderSettings& settings,
     const Camera camera = settings.view ? *settings.view : choose_camera(baked, settings.camera, aspect);
     PreviewSky radiance;
     if (settings.show_sky) {
-        radiance = [lookup = make_sky_lookup(sky),
-                    intensity = static_cast<float>(sky.intensity)](const glm::vec3& direction) {
-            return intensity * std::visit([&](const auto& kind) { return kind(direction); }, lookup);
-        };
+        radiance = [lookup = make_sky_lookup(sky), intensity = static_cast<float>(sky.intensity)](
+                       const glm::vec3& direction) { return intensity * vkbake::radiance(lookup, direction); };
     }
     const PreviewSettings preview{.width = settings.width,
                                   .height = settings.height,

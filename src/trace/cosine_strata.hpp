@@ -47,6 +47,8 @@ public:
     [[nodiscard]] unsigned bits() const { return m_bits; } ///< k
     /// Rounds times cells; where the last round is not full, some strata hold a sample whose index is not below rays().
     [[nodiscard]] std::uint64_t count() const { return m_count; }
+    /// Those of full rounds.
+    [[nodiscard]] std::uint64_t full_count() const { return m_rays >> (2 * m_bits) << (2 * m_bits); }
     [[nodiscard]] std::size_t block_count() const {
         return static_cast<std::size_t>((m_count + RayBlock::strata - 1) / RayBlock::strata);
     }

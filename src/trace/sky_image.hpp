@@ -1,4 +1,4 @@
-// A picture made ready for bilinear look-ups.
+// Pictures made ready for bilinear look-ups.
 #pragma once
 
 #include <cstddef>
@@ -8,69 +8,38 @@
 
 namespace vkbake {
 
-/// RGB floats with a ring of one texel around them, so that a look-up never asks where a border leads. Whoever makes
-/// one fills the ring: by wrapping, by clamping, from the neighbouring face of a cube.
-class BorderedImage {
+/// One or more pictures of one size, RGB floats, each with a ring of one texel around it, so that a look-up never asks
+/// where a border leads. Whoever makes them fills the rings: by wrapping, by clamping, from the neighbouring face of a
+/// cube.
+class BorderedImages {
 public:
-    BorderedImage(int width, int height)
-        : m_width(width), m_height(height),
-          m_texels((static_cast<std::size_t>(width) + 2) * (static_cast<std::size_t>(height) + 2)) {}
+    BorderedImages(int count, int width, int height)
+        : m_width(width), m_height(height), m_texels(static_cast<std::size_t>(count) * texels_an_image()) {}
 
     [[nodiscard]] int width() const { return m_width; }
     [[nodiscard]] int height() const { return m_height; }
 
     /// −1 ≤ x ≤ width, −1 ≤ y ≤ height.
-    [[nodiscard]] glm::vec3& at(int x, int y) { return m_texels[index(x, y)]; }
-    [[nodiscard]] const glm::vec3& at(int x, int y) const { return m_texels[index(x, y)]; }
+    [[nodiscard]] glm::vec3& at(int image, int x, int y) {
+        return m_texels[static_cast<std::size_t>(image) * texels_an_image() +
+                        (static_cast<std::size_t>(y) + 1) * texels_a_row() + static_cast<std::size_t>(x) + 1];
+    }
 
-    /// Bilinear between texel centres. u, v in [0, 1]; (0, 0) is the upper left corner. What lies outside is brought
-    /// back. A texel whose weight is 0 is not looked at, so that a value that is no number stays in its place.
-    [[nodiscard]] glm::vec3 sample(double u, double v) const;
+    // As floats: channel c of texel (x, y) is image · floats_an_image() + (y + 1) · floats_a_row() + (x + 1) · 3 + c.
+    [[nodiscard]] const float* floats() const { return &m_texels[0].x; }
+    [[nodiscard]] std::size_t float_count() const { return 3 * m_texels.size(); }
+    [[nodiscard]] std::size_t floats_a_row() const { return 3 * texels_a_row(); }
+    [[nodiscard]] std::size_t floats_an_image() const { return 3 * texels_an_image(); }
 
 private:
-    [[nodiscard]] std::size_t index(int x, int y) const {
-        return (static_cast<std::size_t>(y) + 1) * (static_cast<std::size_t>(m_width) + 2) +
-               static_cast<std::size_t>(x) + 1;
+    [[nodiscard]] std::size_t texels_a_row() const { return static_cast<std::size_t>(m_width) + 2; }
+    [[nodiscard]] std::size_t texels_an_image() const {
+        return texels_a_row() * (static_cast<std::size_t>(m_height) + 2);
     }
 
     int m_width;
     int m_height;
     std::vector<glm::vec3> m_texels;
 };
-
-namespace sky_image {
-
-/// The cell [low, low + 1] between texel centres that holds a coordinate, and where in it the coordinate lies.
-struct Cell {
-    int low = 0;
-    float share = 0.0F; ///< 0 … 1
-};
-
-[[nodiscard]] inline Cell cell(double coordinate, int size) {
-    const double centred = coordinate * size - 0.5;
-    const double least = -0.5;
-    const double greatest = size - 0.5;
-    const double inside = centred > least ? (centred < greatest ? centred : greatest) : least;
-    // Truncation towards zero of a value that is at least 0 is floor, without a library call.
-    const int low = static_cast<int>(inside + 1.0) - 1;
-    return {low, static_cast<float>(inside - low)};
-}
-
-} // namespace sky_image
-
-inline glm::vec3 BorderedImage::sample(double u, double v) const {
-    const sky_image::Cell x = sky_image::cell(u, m_width);
-    const sky_image::Cell y = sky_image::cell(v, m_height);
-    const glm::vec3* const upper = &m_texels[index(x.low, y.low)];
-    const glm::vec3* const lower = upper + m_width + 2;
-    const auto blend = [](const glm::vec3& first, const glm::vec3& second, float share) {
-        if (share == 0.0F) {
-            return first;
-        }
-        // In this form an image of one value gives that value to the bit.
-        return share == 1.0F ? second : first + (second - first) * share;
-    };
-    return blend(blend(upper[0], upper[1], x.share), blend(lower[0], lower[1], x.share), y.share);
-}
 
 } // namespace vkbake

@@ -1,7 +1,9 @@
 #include "trace/sky_lookup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -10,18 +12,6 @@
 namespace vkbake {
 
 namespace {
-
-/// The coefficients of type 12 (gradation group 5, indicatrix group 4).
-namespace clear {
-constexpr double a = -1.0;
-constexpr double b = -0.32;
-constexpr double c = 10.0;
-constexpr double d = -3.0;
-constexpr double e = 0.45;
-constexpr double sun_sine = 1.0 / std::numbers::sqrt2;
-constexpr double sun_cosine = 1.0 / std::numbers::sqrt2;
-static_assert(ClearSkyLookup::sun_elevation_degrees == 45.0);
-} // namespace clear
 
 [[noreturn]] void refuse(ErrorKind kind, const std::string& message) { throw Error(kind, "sky: " + message); }
 
@@ -32,10 +22,10 @@ void check_picture(const Image& image) {
     }
 }
 
-void copy_inside(BorderedImage& to, const Image& from) {
+void copy_inside(BorderedImages& to, int image, const Image& from) {
     for (int y = 0; y < from.height; ++y) {
         for (int x = 0; x < from.width; ++x) {
-            to.at(x, y) = glm::vec3(from.texels[from.index(x, y)]);
+            to.at(image, x, y) = glm::vec3(from.texels[from.index(x, y)]);
         }
     }
 }
@@ -71,47 +61,56 @@ glm::vec3 texel_beyond(const CubeSky& sky, int face, double s, double t) {
     return glm::vec3(image.texels[image.index(texel(point.s), texel(point.t))]);
 }
 
-BorderedImage bordered_face(const CubeSky& sky, int face) {
+/// Look-ups count a picture's floats in 32 bits.
+void check_size(std::size_t images, const Image& image) {
+    const auto ringed = [](int size) { return static_cast<std::size_t>(size) + 2; };
+    constexpr auto most = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
+    if (3 * images * ringed(image.width) * ringed(image.height) > most) {
+        refuse(ErrorKind::bad_input, "the picture has more than 700 million texels; give a smaller one");
+    }
+}
+
+void add_face(BorderedImages& bordered, const CubeSky& sky, int face) {
     const Image& image = sky.faces[static_cast<std::size_t>(face)];
     const int size = image.width;
-    BorderedImage bordered(size, size);
-    copy_inside(bordered, image);
+    copy_inside(bordered, face, image);
     // So little beyond the border that, seen from the centre, the place along it stays inside its texel.
     const double beyond = 1.0 / (8.0 * size);
     for (int i = 0; i < size; ++i) {
         const double along = (i + 0.5) / size;
-        bordered.at(-1, i) = texel_beyond(sky, face, -beyond, along);
-        bordered.at(size, i) = texel_beyond(sky, face, 1.0 + beyond, along);
-        bordered.at(i, -1) = texel_beyond(sky, face, along, -beyond);
-        bordered.at(i, size) = texel_beyond(sky, face, along, 1.0 + beyond);
+        bordered.at(face, -1, i) = texel_beyond(sky, face, -beyond, along);
+        bordered.at(face, size, i) = texel_beyond(sky, face, 1.0 + beyond, along);
+        bordered.at(face, i, -1) = texel_beyond(sky, face, along, -beyond);
+        bordered.at(face, i, size) = texel_beyond(sky, face, along, 1.0 + beyond);
     }
     for (const int x : {-1, size}) {
         for (const int y : {-1, size}) {
             const int inner_x = std::clamp(x, 0, size - 1);
             const int inner_y = std::clamp(y, 0, size - 1);
-            bordered.at(x, y) =
-                (bordered.at(inner_x, inner_y) + bordered.at(x, inner_y) + bordered.at(inner_x, y)) / 3.0F;
+            bordered.at(face, x, y) =
+                (bordered.at(face, inner_x, inner_y) + bordered.at(face, x, inner_y) + bordered.at(face, inner_x, y)) /
+                3.0F;
         }
     }
-    return bordered;
 }
 
-BorderedImage bordered_panorama(const Image& image) {
+BorderedImages bordered_panorama(const Image& image) {
     check_picture(image);
-    BorderedImage bordered(image.width, image.height);
-    copy_inside(bordered, image);
+    check_size(1, image);
+    BorderedImages bordered(1, image.width, image.height);
+    copy_inside(bordered, 0, image);
     for (int y = 0; y < image.height; ++y) {
-        bordered.at(-1, y) = bordered.at(image.width - 1, y);
-        bordered.at(image.width, y) = bordered.at(0, y);
+        bordered.at(0, -1, y) = bordered.at(0, image.width - 1, y);
+        bordered.at(0, image.width, y) = bordered.at(0, 0, y);
     }
     for (int x = -1; x <= image.width; ++x) {
-        bordered.at(x, -1) = bordered.at(x, 0);
-        bordered.at(x, image.height) = bordered.at(x, image.height - 1);
+        bordered.at(0, x, -1) = bordered.at(0, x, 0);
+        bordered.at(0, x, image.height) = bordered.at(0, x, image.height - 1);
     }
     return bordered;
 }
 
-std::array<BorderedImage, 6> bordered_cube(const CubeSky& sky) {
+BorderedImages bordered_cube(const CubeSky& sky) {
     for (const Image& face : sky.faces) {
         check_picture(face);
         if (face.width != face.height || face.width != sky.faces[0].width) {
@@ -119,8 +118,12 @@ std::array<BorderedImage, 6> bordered_cube(const CubeSky& sky) {
                    "the faces of the cube are not square or not of one size; give six equal squares");
         }
     }
-    return {bordered_face(sky, 0), bordered_face(sky, 1), bordered_face(sky, 2),
-            bordered_face(sky, 3), bordered_face(sky, 4), bordered_face(sky, 5)};
+    check_size(6, sky.faces[0]);
+    BorderedImages bordered(6, sky.faces[0].width, sky.faces[0].width);
+    for (int face = 0; face < 6; ++face) {
+        add_face(bordered, sky, face);
+    }
+    return bordered;
 }
 
 /// The greatest finite value; values that are no numbers are the reader's to refuse.
@@ -153,35 +156,15 @@ struct GreatestRadiance {
 
 struct MakeLookup {
     SkyTurn turn;
-    SkyLookup operator()(const ConstantSky& sky) const { return ConstantLookup(sky.radiance); }
-    SkyLookup operator()(const ClearSky& /*sky*/) const { return ClearSkyLookup(turn); }
-    SkyLookup operator()(const EquirectangularSky& sky) const { return EquirectangularLookup(sky, turn); }
-    SkyLookup operator()(const CubeSky& sky) const { return CubeLookup(sky, turn); }
+    SkyLookup operator()(const ConstantSky& sky) const { return ConstantLookup{sky.radiance}; }
+    SkyLookup operator()(const ClearSky& /*sky*/) const { return ClearSkyLookup{turn}; }
+    SkyLookup operator()(const EquirectangularSky& sky) const {
+        return EquirectangularLookup{turn, bordered_panorama(sky.image)};
+    }
+    SkyLookup operator()(const CubeSky& sky) const { return CubeLookup{turn, bordered_cube(sky)}; }
 };
 
 } // namespace
-
-ClearSkyLookup::ClearSkyLookup(const SkyTurn& turn)
-    : m_turn(turn), m_scale(1.0 / relative_luminance(glm::vec3(0.0F, 1.0F, 0.0F))) {}
-
-double ClearSkyLookup::relative_luminance(const glm::vec3& direction) const {
-    using namespace clear;
-    const double x = direction.x;
-    const double y = direction.y;
-    const double z = direction.z;
-    // Below 1/100 the exponential, e⁻³² there, is lost beside 1: no division by a zero at the horizon.
-    const double gradation = 1.0 + a * exponential(b / std::max(y, 0.01));
-
-    const double along = x * sun_cosine + y * sun_sine;
-    const double across = y * sun_cosine - x * sun_sine;
-    const double sun_distance = arc_tangent(std::sqrt(across * across + z * z), along);
-    const double indicatrix =
-        1.0 + c * (exponential(d * sun_distance) - exponential(d * std::numbers::pi / 2.0)) + e * along * along;
-    return gradation * indicatrix;
-}
-
-EquirectangularLookup::EquirectangularLookup(const EquirectangularSky& sky, const SkyTurn& turn)
-    : m_turn(turn), m_image(bordered_panorama(sky.image)) {}
 
 CubePoint cube_point(const glm::dvec3& direction) {
     const double x = direction.x;
@@ -201,8 +184,6 @@ CubePoint cube_point(const glm::dvec3& direction) {
     }
     return x < 0.0 ? place(1, z, -y, width) : place(0, -z, -y, width);
 }
-
-CubeLookup::CubeLookup(const CubeSky& sky, const SkyTurn& turn) : m_turn(turn), m_faces(bordered_cube(sky)) {}
 
 SkyLookup make_sky_lookup(const Sky& sky) {
     if (!std::isfinite(sky.intensity) || sky.intensity < 0.0) {

@@ -28,6 +28,11 @@ std::uint32_t RayPlan::samples() const {
     return cosine != nullptr ? cosine->rays() : ThesisDirections::count;
 }
 
+std::uint64_t RayPlan::full_strata() const {
+    const auto* cosine = std::get_if<CosineStrata>(&m_directions);
+    return cosine != nullptr ? cosine->full_count() : ThesisDirections::count;
+}
+
 double RayPlan::scale() const {
     return (std::holds_alternative<ThesisDirections>(m_directions) ? std::numbers::pi : 1.0) / samples();
 }

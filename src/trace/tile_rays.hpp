@@ -29,9 +29,11 @@ public:
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     [[nodiscard]] float max_distance() const { return m_max_distance; }
     [[nodiscard]] const std::variant<CosineStrata, ThesisDirections>& directions() const { return m_directions; }
-    /// Blocks a tile, at most.
+    /// Blocks a tile.
     [[nodiscard]] std::size_t block_count() const;
     [[nodiscard]] std::uint32_t samples() const; ///< a texel
+    /// The first so many strata all hold a sample; ≥ 1.
+    [[nodiscard]] std::uint64_t full_strata() const;
     /// E/π is estimated by scale() · Σ weight · L. With cosine-weighted samples it is the plain mean of L, and a
     /// hemisphere of radiance 1 gives 1.
     [[nodiscard]] double scale() const;

@@ -8,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "hand_made.hpp"
+#include "highway_targets.hpp"
 #include "same_bits.hpp"
 #include "trace/tracer.hpp"
 
@@ -89,6 +90,41 @@ TEST(Agreement, AcceleratorsAndThreadCountsGiveTheSameBytes) {
                     expect_same(Tracer(surface, {}, settings).trace(geometry), oracle);
                 }
             }
+        }
+    }
+}
+
+TEST(Agreement, InstructionSetsGiveTheSameBytes) {
+    const Surface surface = heap();
+    const GeometryImage geometry = texels_of(surface);
+    for (const std::uint32_t rays : {50U, 256U}) {
+        Settings settings;
+        settings.rays = rays;
+        settings.threads = 1;
+        const Tracer tracer(surface, {}, settings);
+        const LightMap expected = tracer.trace(geometry);
+        test::for_every_target([&] { expect_same(tracer.trace(geometry), expected); });
+    }
+}
+
+/// Which texels are traced together hangs on which there are; what one gets does not.
+TEST(Agreement, ATexelsLightDoesNotDependOnTheOthers) {
+    const Surface surface = heap();
+    const GeometryImage geometry = texels_of(surface);
+    Settings settings;
+    settings.rays = 70;
+    const Tracer tracer(surface, {}, settings);
+    const LightMap expected = tracer.trace(geometry);
+    for (std::size_t keep = 2; keep <= 5; ++keep) {
+        GeometryImage some = geometry;
+        for (std::size_t i = 0; i < some.texel_count(); ++i) {
+            if (i % keep != 0) {
+                some.triangle[i] = GeometryImage::empty;
+            }
+        }
+        const LightMap found = tracer.trace(some);
+        for (std::size_t i = 0; i < some.texel_count(); i += keep) {
+            ASSERT_EQ(found.image.texels[i], expected.image.texels[i]) << i;
         }
     }
 }

@@ -25,6 +25,30 @@ TEST(ParallelRanges, VisitsEveryIndexOnceInShortRanges) {
     }
 }
 
+TEST(ParallelRanges, TwoCallsAtATimeHaveTwoWorkers) {
+    for (const int threads : {0, 1, 2, 1000}) {
+        std::vector<std::atomic<int>> busy(worker_count(threads));
+        std::atomic<int> clashes{0};
+        std::atomic<int> calls{0};
+        parallel_ranges_by_worker(2000, 1, threads, [&](std::size_t, std::size_t, std::size_t worker) {
+            clashes += busy.at(worker).exchange(1);
+            ++calls;
+            busy.at(worker) = 0;
+        });
+        EXPECT_EQ(clashes, 0);
+        EXPECT_EQ(calls, 2000);
+    }
+}
+
+TEST(ParallelRanges, AskForNoMoreWorkersThanTheMachineHas) {
+    EXPECT_EQ(worker_count(1), 1U);
+    EXPECT_GE(worker_count(0), 1U);
+    EXPECT_EQ(worker_count(1000), worker_count(0));
+    testing::internal::CaptureStderr(); // oneTBB would complain there
+    parallel_ranges(10, 1, 1000, [](std::size_t, std::size_t) {});
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(ParallelRanges, HandsOnExceptions) {
     EXPECT_THROW(parallel_ranges(10, 1, 2, [](std::size_t, std::size_t) { throw std::runtime_error("stop"); }),
                  std::runtime_error);

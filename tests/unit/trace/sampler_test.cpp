@@ -1,4 +1,4 @@
-#include "trace/sampler.hpp"
+#include "trace/tile_rays.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,6 +12,7 @@
 
 #include "base/random.hpp"
 #include "chi_squared.hpp"
+#include "closed_form/hand_made.hpp"
 
 namespace vkbake {
 namespace {
@@ -51,6 +52,27 @@ TEST(Frames, AreOrthonormalAboutEveryNormal) {
     }
 }
 
+TEST(Frames, OfNearNormalsAreNear) {
+    // Where floors and walls face, in front of all.
+    for (const glm::vec3& normal : test_normals()) {
+        if (glm::dot(normal, glm::vec3(2, 6, 3) / 7.0F) < -0.99F) {
+            continue; // the one place about which frames spin
+        }
+        for (std::uint64_t i = 0; i < 20; ++i) {
+            const auto number = [&](std::uint64_t k) {
+                return static_cast<float>(mix64(3 * i + k) >> 40U) * 0x1p-24F - 0.5F;
+            };
+            const glm::vec3 beside = glm::normalize(normal + 0.01F * glm::vec3(number(0), number(1), number(2)));
+            const OrthonormalFrame frame = orthonormal_frame(normal);
+            EXPECT_LT(glm::distance(orthonormal_frame(beside).tangent, frame.tangent), 0.2F);
+        }
+    }
+    const OrthonormalFrame floor = orthonormal_frame({0, 1, 0});
+    for (const glm::vec3& tilted : {glm::vec3(0, 1, -1e-7F), glm::vec3(-1e-7F, 1, 0), glm::vec3(-0.0F, 1, -0.0F)}) {
+        EXPECT_LT(glm::distance(orthonormal_frame(tilted).tangent, floor.tangent), 1e-6F);
+    }
+}
+
 TEST(Frames, ThesisTangentIsNormalCrossUp) {
     for (const float y : {1.0F, -1.0F}) {
         const OrthonormalFrame frame = thesis_frame({0.0F, y, 0.0F});
@@ -63,34 +85,76 @@ TEST(Frames, ThesisTangentIsNormalCrossUp) {
     EXPECT_EQ(wall.bitangent, glm::vec3(0, -1, 0));
 }
 
-TEST(CosineHemisphere, StaysAboveTheHorizonAtTheSquaresBorder) {
-    constexpr std::uint32_t last = (1U << 24U) - 1U;
-    for (const std::uint32_t x : {0U, 1U, last / 2, last / 2 + 1, last}) {
-        for (const std::uint32_t y : {0U, 1U, last / 2, last / 2 + 1, last}) {
-            const glm::vec3 direction = cosine_hemisphere({x, y});
-            EXPECT_GE(direction.z, 0x1p-12F);
-            EXPECT_NEAR(glm::length(direction), 1.0F, 2e-7F);
+struct Sample {
+    glm::vec3 direction{0.0F};
+    double weight = 0.0;
+};
+
+/// Calls visit(texel, number in the blocks' order, sample) for `texels` texels that all have one normal and no ground
+/// under them, all strata or one.
+template<typename Visit>
+void visit_samples(const Settings& settings, std::uint32_t texels, const glm::vec3& normal, std::size_t first,
+                   std::size_t last, Visit visit) {
+    test::SurfaceMaker maker;
+    maker.add({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    const Surface surface = maker.finish();
+    const std::vector<test::SamplePoint> points(texels, {{0, 0, 0}, normal, normal, 0});
+    const GeometryImage geometry = test::geometry_image(points, 256);
+    const RayPlan plan(settings, 1.0F);
+    TileRays rays(surface, geometry, plan);
+    for (const TexelTile& tile : make_tiles(geometry, 1)) {
+        rays.begin(tile);
+        for (std::size_t number = first / 16; number <= last / 16; ++number) {
+            const RayBlock& block = rays.make(number);
+            const RayPlan::Weights weights = plan.weights(number);
+            for (std::size_t i = number * 16; i < number * 16 + 16; ++i) {
+                for (std::uint32_t lane = 0; lane < tile.count && first <= i && i <= last; ++lane) {
+                    if (((block.active[i % 16] >> lane) & 1U) != 0) {
+                        const auto& rows = block.direction[i % 16];
+                        visit(tile.texels[lane], i,
+                              Sample{{rows[0][lane], rows[1][lane], rows[2][lane]}, weights[i % 16]});
+                    }
+                }
+            }
         }
     }
+}
+
+Settings cosine(std::uint32_t rays) {
+    Settings settings;
+    settings.rays = rays;
+    settings.seed = 11;
+    return settings;
+}
+
+TEST(CosineSampler, StaysAboveTheHorizon) {
+    float least = 1.0F;
+    visit_samples(cosine(256), 65536, {0, 0, 1}, 0, 255, [&](std::uint32_t, std::size_t, const Sample& sample) {
+        least = std::min(least, sample.direction.z);
+        ASSERT_NEAR(glm::length(glm::dvec3(sample.direction)), 1.0, 0x1p-21);
+    });
+    EXPECT_GE(least, 0x1p-12F);
+    EXPECT_LT(least, 0.003F); // of 16 million directions the least cos² is about 6e-8
 }
 
 /// One direction a texel, so that all are independent: the points of one texel are not (they fill the square evenly).
+/// Which of a round's cells a stratum is, is the same for all texels; with 3 rays a texel the square is one cell.
 template<typename Visit>
-void visit_independent_directions(std::uint32_t index, const glm::vec3& normal, Visit visit) {
-    const CosineSampler sampler(256);
-    for (std::uint32_t y = 0; y < 256; ++y) {
-        for (std::uint32_t x = 0; x < 256; ++x) {
-            visit(sampler.at(texel_key(11, x, y), normal).sample(index));
-        }
-    }
+void visit_independent_directions(std::size_t stratum, const glm::vec3& normal, Visit visit) {
+    std::uint32_t count = 0;
+    visit_samples(cosine(3), 65536, normal, stratum, stratum, [&](std::uint32_t, std::size_t, const Sample& sample) {
+        ++count;
+        visit(sample);
+    });
+    EXPECT_EQ(count, 65536U);
 }
 
 TEST(CosineSampler, DirectionsHaveTheCosineDensity) {
-    // Under cos θ / π, cos² θ and φ are independent and uniform: 16 × 16 cells of equal probability. Five tests.
-    const std::array<std::uint32_t, 5> indices{0, 1, 16, 100, 255};
-    for (const std::uint32_t index : indices) {
+    // Under cos θ / π, cos² θ and φ are independent and uniform: 16 × 16 cells of equal probability. Three tests.
+    const std::array<std::size_t, 3> indices{0, 1, 2};
+    for (const std::size_t index : indices) {
         std::vector<std::uint32_t> counts(256, 0);
-        visit_independent_directions(index, {0, 0, 1}, [&](const HemisphereSample& sample) {
+        visit_independent_directions(index, {0, 0, 1}, [&](const Sample& sample) {
             const glm::dvec3 direction(sample.direction);
             const double turn = std::atan2(direction.y, direction.x) / (2.0 * std::numbers::pi) + 0.5;
             const auto cell = [](double share) {
@@ -111,7 +175,7 @@ TEST(CosineSampler, FirstAndSecondMomentsAboutATiltedNormal) {
     const glm::vec3 normal = glm::normalize(glm::vec3(0.3F, -0.8F, 0.5F));
     glm::dvec3 first(0.0);
     glm::dmat3 second(0.0);
-    visit_independent_directions(37, normal, [&](const HemisphereSample& sample) {
+    visit_independent_directions(2, normal, [&](const Sample& sample) {
         const glm::dvec3 direction(sample.direction);
         first += direction;
         second += glm::outerProduct(direction, direction);
@@ -131,13 +195,13 @@ TEST(CosineSampler, OneTexelsSamplesIntegrateASmoothFunctionFarBetterThanChance)
     // of a (0, 2)-sequence brings a smooth function's down by about √256. A quarter of chance would already fail for
     // directions without stratification; also for counts that are no power of two.
     for (const std::uint32_t count : {100U, 256U, 1000U}) {
+        std::vector<double> sums(200, 0.0);
+        visit_samples(cosine(count), 200, {0, 0, 1}, 0, CosineStrata(count).count() - 1,
+                      [&](std::uint32_t texel, std::size_t, const Sample& sample) {
+                          sums[texel] += static_cast<double>(sample.direction.z);
+                      });
         double squares = 0.0;
-        for (std::uint32_t texel = 0; texel < 200; ++texel) {
-            const CosineSampler::Texel directions = CosineSampler::at(texel_key(0, texel, 0), {0, 0, 1});
-            double sum = 0.0;
-            for (std::uint32_t i = 0; i < count; ++i) {
-                sum += static_cast<double>(directions.sample(i).direction.z);
-            }
+        for (const double sum : sums) {
             squares += std::pow(sum / count - 2.0 / 3.0, 2.0);
         }
         EXPECT_LT(std::sqrt(squares / 200.0), 0.25 * std::sqrt(1.0 / 18.0 / count)) << count;
@@ -154,20 +218,21 @@ StepSums step_sums(int n, double h) {
 }
 
 TEST(ThesisSampler, MomentsFollowFromItsStepsInClosedForm) {
-    ASSERT_EQ(ThesisSampler::count(), 256U);
-    const ThesisSampler sampler;
+    Settings settings;
+    settings.sampler = Sampler::thesis;
+    const RayPlan plan(settings, 1.0F);
+    ASSERT_EQ(plan.samples(), 256U);
+    ASSERT_EQ(plan.block_count(), 16U);
     const glm::vec3 normal = glm::normalize(glm::vec3(0.3F, -0.8F, 0.5F));
-    const ThesisSampler::Texel texel = sampler.at(0, normal);
     double zeroth = 0.0;
     glm::dvec3 first(0.0);
     glm::dmat3 second(0.0);
-    for (std::uint32_t i = 0; i < ThesisSampler::count(); ++i) {
-        const HemisphereSample sample = texel.sample(i);
+    visit_samples(settings, 1, normal, 0, 255, [&](std::uint32_t, std::size_t, const Sample& sample) {
         const glm::dvec3 direction(sample.direction);
         zeroth += sample.weight;
         first += sample.weight * direction;
         second += sample.weight * glm::outerProduct(direction, direction);
-    }
+    });
 
     // w = cos θ sin θ = ½ sin 2θ. Σ w, Σ w cos θ = Σ cos² sin = ¼ Σ (sin θ + sin 3θ), Σ w sin θ = Σ cos sin² =
     // ¼ Σ (cos θ − cos 3θ), Σ w cos² = ¼ Σ sin 2θ + ⅛ Σ sin 4θ, Σ w cos sin = ¼ Σ sin² 2θ = ⅛ Σ (1 − cos 4θ).
@@ -184,7 +249,7 @@ TEST(ThesisSampler, MomentsFollowFromItsStepsInClosedForm) {
     const double w_cos_sin = 0.125 * (8.0 - theta4.cosine);
     const double w_sin_sin = w - w_cos_cos;
     EXPECT_NEAR(zeroth, 32.0 * w, 1e-9);
-    EXPECT_NEAR(zeroth * ThesisSampler::scale(), 0.97353, 1e-5);
+    EXPECT_NEAR(zeroth * plan.scale(), 0.97353, 1e-5);
 
     const glm::dvec3 n(normal);
     const glm::dvec3 t = glm::normalize(glm::cross(n, glm::dvec3(0, 1, 0)));
@@ -207,21 +272,22 @@ TEST(ThesisSampler, MomentsFollowFromItsStepsInClosedForm) {
     }
 }
 
-TEST(ThesisSampler, StepsThroughThetaWithinPhi) {
-    const ThesisSampler sampler;
-    const ThesisSampler::Texel texel = sampler.at(0, {0, 1, 0});
-    for (int i = 0; i < 32; ++i) {
-        for (int j = 0; j < 8; ++j) {
-            const double phi = 0.2 * i;
-            const double theta = 0.2 * j;
-            const HemisphereSample sample = texel.sample(static_cast<std::uint32_t>(8 * i + j));
-            // Tangent +X, bitangent +Z, normal +Y.
-            EXPECT_NEAR(sample.direction.x, std::sin(theta) * std::cos(phi), 1e-7);
-            EXPECT_NEAR(sample.direction.z, std::sin(theta) * std::sin(phi), 1e-7);
-            EXPECT_NEAR(sample.direction.y, std::cos(theta), 1e-7);
-            EXPECT_NEAR(sample.weight, std::cos(theta) * std::sin(theta), 1e-9);
-        }
-    }
+TEST(ThesisSampler, BlocksHoldFourByFourNeighbours) {
+    Settings settings;
+    settings.sampler = Sampler::thesis;
+    std::size_t visits = 0;
+    visit_samples(settings, 3, {0, 1, 0}, 0, 255, [&](std::uint32_t, std::size_t number, const Sample& sample) {
+        const std::size_t block = number / 16;
+        const double phi = 0.2 * static_cast<double>(block / 2 * 4 + number % 16 / 4);
+        const double theta = 0.2 * static_cast<double>(block % 2 * 4 + number % 4);
+        // Tangent +X, bitangent +Z, normal +Y.
+        EXPECT_NEAR(sample.direction.x, std::sin(theta) * std::cos(phi), 1e-7);
+        EXPECT_NEAR(sample.direction.z, std::sin(theta) * std::sin(phi), 1e-7);
+        EXPECT_NEAR(sample.direction.y, std::cos(theta), 1e-7);
+        EXPECT_NEAR(sample.weight, std::cos(theta) * std::sin(theta), 1e-9);
+        ++visits;
+    });
+    EXPECT_EQ(visits, 3U * 256U);
 }
 
 } // namespace

@@ -1,0 +1,167 @@
+// The radiance of each kind of sky, a vector of directions at a time. Included after simd_elementary.inl.
+//
+// Each is called with unit directions, the mask of those that are asked for, and the place in the rows to write to;
+// it writes 0 for the others.
+
+/// What only counts the rays that arrive; the sum is multiplied once.
+struct UnitRadiance {
+    static constexpr std::size_t channels = 1;
+
+    HWY_INLINE void operator()(const Vector3& /*direction*/, Mask asked, std::size_t first,
+                               std::array<RayBlock::LaneRow, channels>& rows) const {
+        hn::Store(hn::IfThenElseZero(asked, set(1.0F)), Lanes(), &rows[0][first]);
+    }
+};
+
+HWY_INLINE Vector3 into_sky(const SkyTurn& turn, const Vector3& direction) {
+    return {direction.x * set(turn.cosine) - direction.z * set(turn.sine), direction.y,
+            direction.x * set(turn.sine) + direction.z * set(turn.cosine)};
+}
+
+/// ISO 15469, type 12 (gradation group 5, indicatrix group 4): L / Lz = f(χ) φ(Z) / (f(45°) φ(0)) with φ = 1 −
+/// e^(−0.32 / cos Z), f = 1 + 10 (e^(−3 χ) − e^(−3 π / 2)) + 0.45 cos² χ, χ from the sun at 45° towards +X.
+class ClearRadiance {
+public:
+    static constexpr std::size_t channels = 1;
+
+    HWY_INLINE explicit ClearRadiance(const ClearSkyLookup& sky) : m_turn(&sky.turn) {}
+
+    HWY_INLINE void operator()(const Vector3& direction, Mask asked, std::size_t first,
+                               std::array<RayBlock::LaneRow, channels>& rows) const {
+        const Vector3 turned = into_sky(*m_turn, direction);
+        // Below 1/100 the exponential, e⁻³² there, is lost beside 1: no division by a zero at the horizon.
+        const Vector gradation = set(1.0F) - exponential(set(-0.32F) / hn::Max(turned.y, set(0.01F)));
+        const Vector half = set(static_cast<float>(1.0 / std::numbers::sqrt2));
+        const Vector along = (turned.x + turned.y) * half;
+        const Vector across = (turned.y - turned.x) * half;
+        const Vector sun_distance = arc_tangent(hn::Sqrt(across * across + turned.z * turned.z), along);
+        const Vector indicatrix = set(static_cast<float>(1.0 - 10.0 * 0.0089832910211294273)) +
+                                  set(10.0F) * exponential(set(-3.0F) * sun_distance) + set(0.45F) * (along * along);
+        // The zenith's, 1 / (f(45°) φ(0)), is the unit.
+        const Vector value = gradation * indicatrix * set(1.7530845026F);
+        hn::Store(hn::IfThenElseZero(hn::And(asked, hn::Ge(turned.y, set(0.0F))), value), Lanes(), &rows[0][first]);
+    }
+
+private:
+    const SkyTurn* m_turn; ///< never null
+};
+
+/// Bilinear look-ups between texel centres. A texel whose weight is 0 does not count, so that a value that is no number
+/// stays in its place.
+class Picture {
+public:
+    static constexpr std::size_t channels = 3;
+
+    HWY_INLINE explicit Picture(const BorderedImages& images)
+        : m_images(&images), m_floats(images.floats()), m_row(static_cast<std::int32_t>(images.floats_a_row())),
+          m_image(static_cast<std::int32_t>(images.floats_an_image())) {}
+
+    /// `image`: whole numbers. x, y: (0, 0) is the centre of the upper left texel. What lies outside by more than half a
+    /// texel is brought back.
+    HWY_INLINE void look_up(Vector image, Vector x, Vector y, Mask asked, std::size_t first,
+                            std::array<RayBlock::LaneRow, channels>& rows) const {
+        const Lanes lanes;
+        const WholeLanes wholes;
+        const auto whole = [&](std::int32_t value) HWY_ATTR { return hn::Set(wholes, value); };
+        const Cell column = cell(x, m_images->width(), asked);
+        const Cell row = cell(y, m_images->height(), asked);
+        const Wholes number = hn::ConvertTo(wholes, hn::IfThenElseZero(asked, image));
+        const Wholes corner = number * whole(m_image) + row.above * whole(m_row) + column.above * whole(3);
+        for (std::size_t channel = 0; channel < channels; ++channel) {
+            const auto texel = [&](std::int32_t right, std::int32_t down) HWY_ATTR {
+                const std::int32_t offset = 3 * right + m_row * down + static_cast<std::int32_t>(channel);
+                return hn::GatherIndex(lanes, m_floats, corner + whole(offset));
+            };
+            const Vector upper = blend(texel(0, 0), texel(1, 0), column.share);
+            const Vector lower = blend(texel(0, 1), texel(1, 1), column.share);
+            hn::Store(hn::IfThenElseZero(asked, blend(upper, lower, row.share)), lanes, &rows[channel][first]);
+        }
+    }
+
+private:
+    /// The cell between texel centres that holds a coordinate: the texel before it, counted from the ring's, and where
+    /// between this and the next one it lies.
+    struct Cell {
+        Wholes above;
+        Vector share; ///< 0 … 1
+    };
+
+    HWY_INLINE Cell cell(Vector coordinate, int size, Mask asked) const {
+        const Vector inside =
+            hn::Min(hn::Max(coordinate, set(-0.5F)), set(static_cast<float>(size) - 0.5F)) + set(1.0F);
+        const Wholes above = hn::ConvertTo(WholeLanes(), hn::IfThenElseZero(asked, inside)); // floor of what is ≥ 0.5
+        return {above, inside - hn::ConvertTo(Lanes(), above)};
+    }
+
+    /// In this form a picture of one value gives that value to the bit.
+    static HWY_INLINE Vector blend(Vector first, Vector second, Vector share) {
+        return hn::IfThenElse(hn::Eq(share, hn::Zero(Lanes())), first, first + (second - first) * share);
+    }
+
+    const BorderedImages* m_images; ///< never null
+    const float* m_floats;
+    std::int32_t m_row;
+    std::int32_t m_image;
+};
+
+class EquirectangularRadiance {
+public:
+    static constexpr std::size_t channels = Picture::channels;
+
+    HWY_INLINE explicit EquirectangularRadiance(const EquirectangularLookup& sky)
+        : m_turn(&sky.turn), m_picture(sky.image), m_width(static_cast<float>(sky.image.width())),
+          m_height(static_cast<float>(sky.image.height())) {}
+
+    HWY_INLINE void operator()(const Vector3& direction, Mask asked, std::size_t first,
+                               std::array<RayBlock::LaneRow, channels>& rows) const {
+        const Vector3 turned = into_sky(*m_turn, direction);
+        const Vector around = arc_tangent(turned.z, turned.x) * set(static_cast<float>(0.5 / std::numbers::pi));
+        // acos(y) loses its digits near the poles; the angle between +Y and the direction does not.
+        const Vector down = arc_tangent(hn::Sqrt(turned.x * turned.x + turned.z * turned.z), turned.y) *
+                            set(static_cast<float>(1.0 / std::numbers::pi));
+        m_picture.look_up(set(0.0F), around * set(m_width) + set(0.5F * m_width - 0.5F),
+                          down * set(m_height) - set(0.5F), asked, first, rows);
+    }
+
+private:
+    const SkyTurn* m_turn; ///< never null
+    Picture m_picture;
+    float m_width, m_height;
+};
+
+/// As cube_point() of trace/sky_lookup.hpp.
+class CubeRadiance {
+public:
+    static constexpr std::size_t channels = Picture::channels;
+
+    HWY_INLINE explicit CubeRadiance(const CubeLookup& sky)
+        : m_turn(&sky.turn), m_picture(sky.faces), m_half(0.5F * static_cast<float>(sky.faces.width())) {}
+
+    HWY_INLINE void operator()(const Vector3& direction, Mask asked, std::size_t first,
+                               std::array<RayBlock::LaneRow, channels>& rows) const {
+        const Vector3 turned = into_sky(*m_turn, direction);
+        const Vector zero = set(0.0F);
+        const Vector width = hn::Abs(turned.x);
+        const Vector height = hn::Abs(turned.y);
+        const Vector depth = hn::Abs(turned.z);
+        const Mask along_z = hn::And(hn::Ge(depth, width), hn::Ge(depth, height));
+        const Mask along_y = hn::Ge(height, width); // unless along z
+        const auto chosen = [&](Vector x, Vector y, Vector z)
+                                HWY_ATTR { return hn::IfThenElse(along_z, z, hn::IfThenElse(along_y, y, x)); };
+        const auto signed_by = [&](Vector value, Vector sign)
+                                   HWY_ATTR { return hn::IfThenElse(hn::Lt(sign, zero), hn::Neg(value), value); };
+        const Vector major = chosen(turned.x, turned.y, turned.z);
+        const Vector face = chosen(zero, set(2.0F), set(4.0F)) + hn::IfThenElseZero(hn::Lt(major, zero), set(1.0F));
+        const Vector s = chosen(signed_by(hn::Neg(turned.z), turned.x), turned.x, signed_by(turned.x, turned.z));
+        const Vector t = chosen(hn::Neg(turned.y), signed_by(turned.z, turned.y), hn::Neg(turned.y));
+        const Vector length = hn::Abs(major);
+        const Vector middle = set(m_half - 0.5F);
+        m_picture.look_up(face, s / length * set(m_half) + middle, t / length * set(m_half) + middle, asked, first,
+                          rows);
+    }
+
+private:
+    const SkyTurn* m_turn; ///< never null
+    Picture m_picture;
+    float m_half; ///< a face's
+};

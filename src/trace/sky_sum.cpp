@@ -1,0 +1,132 @@
+#include "trace/sky_sum.hpp"
+
+#include <cstdint>
+#include <numbers>
+#include <span>
+
+#ifndef VKBAKE_TRACE_SKY_SUM
+#define VKBAKE_TRACE_SKY_SUM // read once for each target; this is for all
+namespace vkbake {
+
+/// Some strata's rays.
+struct SkyRays {
+    std::span<const std::array<RayBlock::LaneRow, 3>> directions;
+    std::span<const RayBlock::LaneBits> open;
+    std::span<const double> weights;
+};
+
+} // namespace vkbake
+#endif
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/sky_sum.cpp"
+// Vectors of a length that is not known when compiling cannot be members of a struct.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vkbake::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#include "trace/simd_rows.inl"
+
+#include "trace/simd_elementary.inl"
+
+#include "trace/sky_radiance.inl"
+
+/// Adds weight · value to one channel of all lanes.
+HWY_INLINE void add_row(const RayBlock::LaneRow& row, double weight, std::array<double, RayBlock::lanes>& sums) {
+    const hn::CappedTag<double, RayBlock::lanes> wide;
+    const hn::Rebind<float, decltype(wide)> narrow;
+    const auto factor = hn::Set(wide, weight);
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(wide)) {
+        const auto value = hn::PromoteTo(wide, hn::Load(narrow, &row[first]));
+        hn::Store(hn::Load(wide, &sums[first]) + factor * value, wide, &sums[first]);
+    }
+}
+
+template<class Radiance>
+HWY_INLINE void add(const Radiance& radiance, const SkyRays& rays, LaneSums& sums) {
+    alignas(64) std::array<RayBlock::LaneRow, Radiance::channels> rows{};
+    for (std::size_t stratum = 0; stratum < rays.directions.size(); ++stratum) {
+        if (rays.open[stratum] == 0) {
+            continue;
+        }
+        for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+            radiance(load(rays.directions[stratum], first), mask_at(first, rays.open[stratum]), first, rows);
+        }
+        for (std::size_t channel = 0; channel < Radiance::channels; ++channel) {
+            add_row(rows[channel], rays.weights[stratum], sums.channels[channel]);
+        }
+    }
+}
+
+void add_constant(const SkyRays& rays, LaneSums& sums) { add(UnitRadiance(), rays, sums); }
+
+void add_clear(const ClearSkyLookup& sky, const SkyRays& rays, LaneSums& sums) { add(ClearRadiance(sky), rays, sums); }
+
+void add_equirectangular(const EquirectangularLookup& sky, const SkyRays& rays, LaneSums& sums) {
+    add(EquirectangularRadiance(sky), rays, sums);
+}
+
+void add_cube(const CubeLookup& sky, const SkyRays& rays, LaneSums& sums) { add(CubeRadiance(sky), rays, sums); }
+
+} // namespace vkbake::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vkbake {
+
+HWY_EXPORT(add_constant);
+HWY_EXPORT(add_clear);
+HWY_EXPORT(add_equirectangular);
+HWY_EXPORT(add_cube);
+
+namespace {
+
+struct Add {
+    SkyRays rays;
+    LaneSums& sums;
+
+    void operator()(const ConstantLookup& /*sky*/) const { HWY_DYNAMIC_DISPATCH(add_constant)(rays, sums); }
+    void operator()(const ClearSkyLookup& sky) const { HWY_DYNAMIC_DISPATCH(add_clear)(sky, rays, sums); }
+    void operator()(const EquirectangularLookup& sky) const {
+        HWY_DYNAMIC_DISPATCH(add_equirectangular)(sky, rays, sums);
+    }
+    void operator()(const CubeLookup& sky) const { HWY_DYNAMIC_DISPATCH(add_cube)(sky, rays, sums); }
+};
+
+} // namespace
+
+void add_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open,
+             const std::array<double, RayBlock::strata>& weights, LaneSums& sums) {
+    std::visit(Add{{block.direction, open, weights}, sums}, sky);
+}
+
+glm::vec3 radiance(const SkyLookup& sky, const glm::vec3& direction) {
+    alignas(64) std::array<RayBlock::LaneRow, 3> row{};
+    row[0][0] = direction.x;
+    row[1][0] = direction.y;
+    row[2][0] = direction.z;
+    const RayBlock::LaneBits first = 1;
+    const double weight = 1.0;
+    LaneSums sums;
+    std::visit(Add{{{&row, 1}, {&first, 1}, {&weight, 1}}, sums}, sky);
+    return glm::vec3(total(sky, sums, 0));
+}
+
+glm::dvec3 total(const SkyLookup& sky, const LaneSums& sums, std::size_t lane) {
+    const double first = sums.channels[0][lane];
+    if (const auto* constant = std::get_if<ConstantLookup>(&sky)) {
+        return first * glm::dvec3(constant->radiance);
+    }
+    if (std::holds_alternative<ClearSkyLookup>(sky)) {
+        return glm::dvec3(first);
+    }
+    return {first, sums.channels[1][lane], sums.channels[2][lane]};
+}
+
+} // namespace vkbake
+#endif

@@ -1,0 +1,74 @@
+// The light of a tile's texels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "bvh/accelerator.hpp"
+#include "trace/sky_sum.hpp"
+#include "trace/tile_rays.hpp"
+
+namespace vkbake {
+
+/// What was seen while tracing; sums of these do not depend on their order.
+struct RayCounts {
+    std::uint64_t rays = 0;
+    std::uint64_t occluded_rays = 0;
+    std::uint64_t skipped_directions = 0;
+    std::uint64_t probed_hits = 0;
+    std::uint64_t back_side_hits = 0;
+
+    RayCounts& operator+=(const RayCounts& other) {
+        rays += other.rays;
+        occluded_rays += other.occluded_rays;
+        skipped_directions += other.skipped_directions;
+        probed_hits += other.probed_hits;
+        back_side_hits += other.back_side_hits;
+        return *this;
+    }
+};
+
+/// Traces one tile after the other, for one thread; allocates nothing after it is made.
+///
+/// Of each texel one sample, which its key chooses, is a *probe*: where its ray is blocked, the nearest hit is asked
+/// for, to see whether it is a back side. So over a map the probes are spread as its rays are, at the cost of a few in
+/// a thousand.
+class TileTracer {
+public:
+    /// All must outlive it.
+    TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
+               const TriangleAccelerator& accelerator);
+
+    /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
+    template<typename Store>
+    void trace(const TexelTile& tile, const Store& store) {
+        sum_up(tile);
+        for (std::uint32_t lane = 0; lane < tile.count; ++lane) {
+            store(tile.texels[lane], total(*m_sky, m_sums, lane));
+        }
+    }
+
+    /// Of all tiles so far.
+    [[nodiscard]] const RayCounts& counts() const { return m_counts; }
+
+private:
+    void sum_up(const TexelTile& tile);
+    /// Chooses each texel's probe.
+    void choose_probes();
+    /// Follows the probes that lie in a block.
+    void probe(std::size_t number, const RayBlock& block, const BlockedRays& blocked);
+
+    const RayPlan* m_plan;                    ///< never null
+    const SkyLookup* m_sky;                   ///< never null
+    const TriangleAccelerator* m_accelerator; ///< never null
+    TileRays m_rays;
+    BlockScratch m_scratch;
+    LaneSums m_sums;
+    std::array<std::uint64_t, RayBlock::lanes> m_probes{}; ///< a stratum
+    RayCounts m_counts;
+};
+
+} // namespace vkbake
