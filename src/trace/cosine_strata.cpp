@@ -36,7 +36,10 @@ CosineStrata::Cell hilbert_cell(std::uint32_t place, unsigned bits) {
         column += right ? size : 0;
         row += upper ? size : 0;
     }
-    return {static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row)};
+    const auto reversed = [&](std::uint32_t number) {
+        return static_cast<std::uint8_t>((std::uint64_t{reverse_bits(number)} << bits) >> 32U);
+    };
+    return {static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row), reversed(column), reversed(row)};
 }
 
 } // namespace

@@ -32,6 +32,8 @@ public:
     struct Cell {
         std::uint8_t column = 0;
         std::uint8_t row = 0;
+        std::uint8_t reversed_column = 0; ///< its k binary digits from the last to the first
+        std::uint8_t reversed_row = 0;
     };
 
     /// A part of an index, and what Sobol's dimension 1 (reversed) makes of it.

@@ -12,7 +12,8 @@
 
 namespace vkbake {
 
-/// For each column and row of the cells, each lane's part of the index of the sample that lies there (CosineStrata).
+/// For each column and row of the cells, by its number with the digits reversed, each lane's part of the index of the
+/// sample that lies there (CosineStrata).
 struct StratumTables {
     struct Rows {
         std::array<std::uint32_t, RayBlock::lanes> index{};

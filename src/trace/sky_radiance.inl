@@ -1,14 +1,15 @@
 // The radiance of each kind of sky, a vector of directions at a time. Included after simd_elementary.inl.
 //
-// Each is called with unit directions, the mask of those that are asked for, and the place in the rows to write to;
-// it writes 0 for the others.
+// Each finds the *place* of a direction, three numbers of its own choice, and looks up what is there: it is given the
+// mask of the directions that are asked for, and where in the rows to write to; it writes 0 for the others.
 
 /// What only counts the rays that arrive; the sum is multiplied once.
 struct UnitRadiance {
     static constexpr std::size_t channels = 1;
 
-    HWY_INLINE void operator()(const Vector3& /*direction*/, Mask asked, std::size_t first,
-                               std::array<RayBlock::LaneRow, channels>& rows) const {
+    HWY_INLINE Vector3 place(const Vector3& direction) const { return direction; }
+    HWY_INLINE void look_up(const Vector3& /*place*/, Mask asked, std::size_t first,
+                            std::array<RayBlock::LaneRow, channels>& rows) const {
         hn::Store(hn::IfThenElseZero(asked, set(1.0F)), Lanes(), &rows[0][first]);
     }
 };
@@ -26,8 +27,8 @@ public:
 
     HWY_INLINE explicit ClearRadiance(const ClearSkyLookup& sky) : m_turn(&sky.turn) {}
 
-    HWY_INLINE void operator()(const Vector3& direction, Mask asked, std::size_t first,
-                               std::array<RayBlock::LaneRow, channels>& rows) const {
+    /// φ(Z), or 0 below the horizon; cos χ; χ.
+    HWY_INLINE Vector3 place(const Vector3& direction) const {
         const Vector3 turned = into_sky(*m_turn, direction);
         // Below 1/100 the exponential, e⁻³² there, is lost beside 1: no division by a zero at the horizon.
         const Vector gradation = set(1.0F) - exponential(set(-0.32F) / hn::Max(turned.y, set(0.01F)));
@@ -35,11 +36,16 @@ public:
         const Vector along = (turned.x + turned.y) * half;
         const Vector across = (turned.y - turned.x) * half;
         const Vector sun_distance = arc_tangent(hn::Sqrt(across * across + turned.z * turned.z), along);
+        return {hn::IfThenElseZero(hn::Ge(turned.y, set(0.0F)), gradation), along, sun_distance};
+    }
+
+    HWY_INLINE void look_up(const Vector3& place, Mask asked, std::size_t first,
+                            std::array<RayBlock::LaneRow, channels>& rows) const {
         const Vector indicatrix = set(static_cast<float>(1.0 - 10.0 * 0.0089832910211294273)) +
-                                  set(10.0F) * exponential(set(-3.0F) * sun_distance) + set(0.45F) * (along * along);
+                                  set(10.0F) * exponential(set(-3.0F) * place.z) + set(0.45F) * (place.y * place.y);
         // The zenith's, 1 / (f(45°) φ(0)), is the unit.
-        const Vector value = gradation * indicatrix * set(1.7530845026F);
-        hn::Store(hn::IfThenElseZero(hn::And(asked, hn::Ge(turned.y, set(0.0F))), value), Lanes(), &rows[0][first]);
+        const Vector value = place.x * indicatrix * set(1.7530845026F);
+        hn::Store(hn::IfThenElseZero(asked, value), Lanes(), &rows[0][first]);
     }
 
 private:
@@ -56,16 +62,16 @@ public:
         : m_images(&images), m_floats(images.floats()), m_row(static_cast<std::int32_t>(images.floats_a_row())),
           m_image(static_cast<std::int32_t>(images.floats_an_image())) {}
 
-    /// `image`: whole numbers. x, y: (0, 0) is the centre of the upper left texel. What lies outside by more than half a
-    /// texel is brought back.
-    HWY_INLINE void look_up(Vector image, Vector x, Vector y, Mask asked, std::size_t first,
+    /// Of a place x and y, where (0, 0) is the centre of the upper left texel, and the number of the image as z. What
+    /// lies outside by more than half a texel is brought back.
+    HWY_INLINE void look_up(const Vector3& place, Mask asked, std::size_t first,
                             std::array<RayBlock::LaneRow, channels>& rows) const {
         const Lanes lanes;
         const WholeLanes wholes;
         const auto whole = [&](std::int32_t value) HWY_ATTR { return hn::Set(wholes, value); };
-        const Cell column = cell(x, m_images->width(), asked);
-        const Cell row = cell(y, m_images->height(), asked);
-        const Wholes number = hn::ConvertTo(wholes, hn::IfThenElseZero(asked, image));
+        const Cell column = cell(place.x, m_images->width(), asked);
+        const Cell row = cell(place.y, m_images->height(), asked);
+        const Wholes number = hn::ConvertTo(wholes, hn::IfThenElseZero(asked, place.z));
         const Wholes corner = number * whole(m_image) + row.above * whole(m_row) + column.above * whole(3);
         for (std::size_t channel = 0; channel < channels; ++channel) {
             const auto texel = [&](std::int32_t right, std::int32_t down) HWY_ATTR {
@@ -112,15 +118,18 @@ public:
         : m_turn(&sky.turn), m_picture(sky.image), m_width(static_cast<float>(sky.image.width())),
           m_height(static_cast<float>(sky.image.height())) {}
 
-    HWY_INLINE void operator()(const Vector3& direction, Mask asked, std::size_t first,
-                               std::array<RayBlock::LaneRow, channels>& rows) const {
+    HWY_INLINE Vector3 place(const Vector3& direction) const {
         const Vector3 turned = into_sky(*m_turn, direction);
         const Vector around = arc_tangent(turned.z, turned.x) * set(static_cast<float>(0.5 / std::numbers::pi));
         // acos(y) loses its digits near the poles; the angle between +Y and the direction does not.
         const Vector down = arc_tangent(hn::Sqrt(turned.x * turned.x + turned.z * turned.z), turned.y) *
                             set(static_cast<float>(1.0 / std::numbers::pi));
-        m_picture.look_up(set(0.0F), around * set(m_width) + set(0.5F * m_width - 0.5F),
-                          down * set(m_height) - set(0.5F), asked, first, rows);
+        return {around * set(m_width) + set(0.5F * m_width - 0.5F), down * set(m_height) - set(0.5F), set(0.0F)};
+    }
+
+    HWY_INLINE void look_up(const Vector3& place, Mask asked, std::size_t first,
+                            std::array<RayBlock::LaneRow, channels>& rows) const {
+        m_picture.look_up(place, asked, first, rows);
     }
 
 private:
@@ -137,8 +146,7 @@ public:
     HWY_INLINE explicit CubeRadiance(const CubeLookup& sky)
         : m_turn(&sky.turn), m_picture(sky.faces), m_half(0.5F * static_cast<float>(sky.faces.width())) {}
 
-    HWY_INLINE void operator()(const Vector3& direction, Mask asked, std::size_t first,
-                               std::array<RayBlock::LaneRow, channels>& rows) const {
+    HWY_INLINE Vector3 place(const Vector3& direction) const {
         const Vector3 turned = into_sky(*m_turn, direction);
         const Vector zero = set(0.0F);
         const Vector width = hn::Abs(turned.x);
@@ -156,8 +164,12 @@ public:
         const Vector t = chosen(hn::Neg(turned.y), signed_by(turned.z, turned.y), hn::Neg(turned.y));
         const Vector length = hn::Abs(major);
         const Vector middle = set(m_half - 0.5F);
-        m_picture.look_up(face, s / length * set(m_half) + middle, t / length * set(m_half) + middle, asked, first,
-                          rows);
+        return {s / length * set(m_half) + middle, t / length * set(m_half) + middle, face};
+    }
+
+    HWY_INLINE void look_up(const Vector3& place, Mask asked, std::size_t first,
+                            std::array<RayBlock::LaneRow, channels>& rows) const {
+        m_picture.look_up(place, asked, first, rows);
     }
 
 private:

@@ -49,13 +49,22 @@ HWY_INLINE void add_row(const RayBlock::LaneRow& row, double weight, std::array<
 
 template<class Radiance>
 HWY_INLINE void add(const Radiance& radiance, const SkyRays& rays, LaneSums& sums) {
+    // Two short loops: in one long one each look-up's chain of operations would hide behind too few others.
+    alignas(64) std::array<std::array<RayBlock::LaneRow, 3>, RayBlock::strata>
+        places; // NOLINT(cppcoreguidelines-pro-type-member-init): what is read was written
+    const std::size_t strata = rays.directions.size();
+    for (std::size_t stratum = 0; stratum < strata; ++stratum) {
+        for (std::size_t first = 0; rays.open[stratum] != 0 && first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+            store(radiance.place(load(rays.directions[stratum], first)), places[stratum], first);
+        }
+    }
     alignas(64) std::array<RayBlock::LaneRow, Radiance::channels> rows{};
-    for (std::size_t stratum = 0; stratum < rays.directions.size(); ++stratum) {
+    for (std::size_t stratum = 0; stratum < strata; ++stratum) {
         if (rays.open[stratum] == 0) {
             continue;
         }
         for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
-            radiance(load(rays.directions[stratum], first), mask_at(first, rays.open[stratum]), first, rows);
+            radiance.look_up(load(places[stratum], first), mask_at(first, rays.open[stratum]), first, rows);
         }
         for (std::size_t channel = 0; channel < Radiance::channels; ++channel) {
             add_row(rows[channel], rays.weights[stratum], sums.channels[channel]);
