@@ -2,36 +2,14 @@
 #include <cmath>
 #include <map>
 
-#include "make_scenes/document.hpp"
 #include "make_scenes/files.hpp"
 #include "make_scenes/furniture.hpp"
 #include "make_scenes/objects.hpp"
 #include "make_scenes/shapes.hpp"
+#include "make_scenes/stage.hpp"
 
 namespace vkbake::scenes {
 namespace {
-
-// Puts things into a document: a model becomes a mesh once, however often it is placed.
-class Stage {
-public:
-    explicit Stage(Document& document) : m_document(&document) {}
-
-    [[nodiscard]] std::size_t mesh(const Model& model) { return m_document->add_mesh(model); }
-
-    void place(const std::string& name, std::size_t mesh_index, const glm::dvec3& at, double turns = 0.0) {
-        Node node;
-        node.name = name;
-        node.mesh = mesh_index;
-        node.translation = at;
-        if (turns != 0.0) {
-            node.rotation = rotation_about_y(turns);
-        }
-        m_document->add_node(node);
-    }
-
-private:
-    Document* m_document;
-};
 
 Model single(const std::string& name, Solid solid) {
     Model model{name, {}};

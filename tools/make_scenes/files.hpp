@@ -20,4 +20,7 @@ struct File {
 [[nodiscard]] std::vector<File> make_chapter_files();
 [[nodiscard]] std::vector<File> make_test_files();
 
+/// Scenes that are large or many, for benchmarks alone: not checked in, and not all closed or free of crossings.
+[[nodiscard]] std::vector<File> make_benchmark_files();
+
 } // namespace vkbake::scenes
