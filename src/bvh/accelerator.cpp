@@ -14,6 +14,7 @@ namespace vkbake {
 
 struct TriangleAccelerator::State {
     std::vector<std::uint32_t> numbers; // by rank
+    std::vector<std::uint32_t> ranks;   // by number; no_triangle for those that were dropped
     Box bounds;
     std::unique_ptr<RayCaster> caster;
 };
@@ -43,6 +44,18 @@ std::unique_ptr<RayCaster> make_caster(std::vector<Triangle> triangles, const Ac
     return std::make_unique<HierarchyCaster>(build_hierarchy(triangles, settings.cluster_splits, settings.threads));
 }
 
+std::vector<std::uint32_t> inverse_of(const std::vector<std::uint32_t>& numbers, std::size_t count) {
+    std::vector<std::uint32_t> ranks(count, no_triangle);
+    for (std::uint32_t rank = 0; rank < numbers.size(); ++rank) {
+        ranks[numbers[rank]] = rank;
+    }
+    return ranks;
+}
+
+std::uint32_t rank_of(std::uint32_t number, const std::vector<std::uint32_t>& ranks) {
+    return number < ranks.size() ? ranks[number] : no_triangle;
+}
+
 } // namespace
 
 TriangleAccelerator::TriangleAccelerator(std::span<const glm::vec3> positions,
@@ -52,7 +65,8 @@ TriangleAccelerator::TriangleAccelerator(std::span<const glm::vec3> positions,
     const DefaultFloatState state; // what is built must not depend on the caller's either
     TriangleList list = list_triangles(positions, canonical_order);
     auto caster = make_caster(std::move(list.triangles), settings);
-    m_state = std::make_unique<State>(State{std::move(list.numbers), list.bounds, std::move(caster)});
+    std::vector<std::uint32_t> ranks = inverse_of(list.numbers, canonical_order.size());
+    m_state = std::make_unique<State>(State{std::move(list.numbers), std::move(ranks), list.bounds, std::move(caster)});
 }
 
 TriangleAccelerator::~TriangleAccelerator() = default;
@@ -60,12 +74,14 @@ TriangleAccelerator::TriangleAccelerator(TriangleAccelerator&&) noexcept = defau
 TriangleAccelerator& TriangleAccelerator::operator=(TriangleAccelerator&&) noexcept = default;
 
 bool TriangleAccelerator::occluded(const Ray& ray) const {
-    const PreparedRay prepared(ray, m_state->bounds);
+    PreparedRay prepared(ray, m_state->bounds);
+    prepared.ignored_rank = rank_of(ray.ignored_triangle, m_state->ranks);
     return prepared.valid && m_state->caster->occluded(prepared);
 }
 
 std::optional<Hit> TriangleAccelerator::nearest(const Ray& ray) const {
-    const PreparedRay prepared(ray, m_state->bounds);
+    PreparedRay prepared(ray, m_state->bounds);
+    prepared.ignored_rank = rank_of(ray.ignored_triangle, m_state->ranks);
     if (!prepared.valid) {
         return std::nullopt;
     }
@@ -77,7 +93,11 @@ std::optional<Hit> TriangleAccelerator::nearest(const Ray& ray) const {
 }
 
 BlockedRays TriangleAccelerator::blocked(const RayBlock& block, BlockScratch& scratch) const {
-    return m_state->caster->blocked(block, m_state->bounds, scratch);
+    std::array<std::uint32_t, RayBlock::lanes> ignored_ranks{};
+    for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
+        ignored_ranks[lane] = rank_of(block.ignored_triangle[lane], m_state->ranks);
+    }
+    return m_state->caster->blocked(block, ignored_ranks, m_state->bounds, scratch);
 }
 
 BlockScratch TriangleAccelerator::make_scratch() const { return m_state->caster->make_scratch(); }
@@ -85,7 +105,8 @@ BlockScratch TriangleAccelerator::make_scratch() const { return m_state->caster-
 AcceleratorStatistics TriangleAccelerator::statistics() const {
     AcceleratorStatistics statistics = m_state->caster->statistics();
     statistics.triangles = m_state->numbers.size();
-    statistics.bytes += m_state->numbers.capacity() * sizeof(std::uint32_t) + sizeof(State);
+    statistics.bytes +=
+        (m_state->numbers.capacity() + m_state->ranks.capacity()) * sizeof(std::uint32_t) + sizeof(State);
     return statistics;
 }
 

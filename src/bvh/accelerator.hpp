@@ -16,6 +16,10 @@
 
 namespace vkbake {
 
+/// The bounds of a direction's largest component: 1 / direction and every product with it stay finite and normal.
+inline constexpr float least_direction = 0x1p-60F;
+inline constexpr float greatest_direction = 0x1p60F;
+
 /// Meets a triangle where 0 < t < max_distance, at origin + t · direction. The direction need not be a unit vector; its
 /// largest component must lie in [2⁻⁶⁰, 2⁶⁰] in magnitude, the others may be anything finite (±0, denormal).
 /// A ray that is not so, or has a component that is not finite, meets nothing.
@@ -23,6 +27,7 @@ struct Ray {
     glm::vec3 origin{0.0F};
     glm::vec3 direction{0.0F};
     float max_distance = std::numeric_limits<float>::infinity(); ///< in units of |direction|
+    std::uint32_t ignored_triangle = no_triangle;                ///< never met, as numbered in the positions
 };
 
 struct Hit {

@@ -153,8 +153,8 @@ private:
         m_hierarchy.depth = std::max(m_hierarchy.depth, depth);
         WideNode wide{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            wide.planes[axis].fill(std::numeric_limits<float>::infinity());
-            wide.planes[axis + 3].fill(-std::numeric_limits<float>::infinity());
+            wide.planes[axis].fill(empty_low);
+            wide.planes[axis + 3].fill(empty_high);
         }
         m_hierarchy.nodes.push_back(wide);
         std::size_t lane = 0;
@@ -164,6 +164,7 @@ private:
                 wide.planes[static_cast<std::size_t>(axis)][lane] = node.box.low[axis];
                 wide.planes[static_cast<std::size_t>(axis) + 3][lane] = node.box.high[axis];
             }
+            wide.leaf_lanes |= node.leaf() ? 1U << lane : 0U;
             wide.children[lane++] = node.leaf() ? add_leaf(m_tree.items(node)) : add_node(child, depth + 1);
         }
         m_hierarchy.nodes[index] = wide;
@@ -187,7 +188,10 @@ private:
             }
         }
         m_hierarchy.leaves.push_back(leaf);
-        return static_cast<std::uint32_t>(m_hierarchy.leaves.size() - 1) | leaf_bit;
+        if (m_hierarchy.leaves.size() > greatest_leaf_count) {
+            throw Error(ErrorKind::bad_input, "accelerator: more than 2^27 leaves; split the scene");
+        }
+        return leaf_child(m_hierarchy.leaves.size() - 1, items.size());
     }
 
     const BinaryTree& m_tree;

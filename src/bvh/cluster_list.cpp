@@ -17,7 +17,8 @@ bool ClusterList::occluded(const PreparedRay& ray) const {
             continue;
         }
         for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-            if (test_triangle(m_test, ray, m_triangles[i]).hit) {
+            const bool ignored = m_clustering.ranks[i] == ray.ignored_rank;
+            if (!ignored && test_triangle(m_test, ray, m_triangles[i]).hit) {
                 return true;
             }
         }
@@ -33,7 +34,9 @@ NearestHit ClusterList::nearest(const PreparedRay& ray) const {
             continue;
         }
         for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-            best.offer(test_triangle(m_test, ray, m_triangles[i]), m_clustering.ranks[i]);
+            if (m_clustering.ranks[i] != ray.ignored_rank) {
+                best.offer(test_triangle(m_test, ray, m_triangles[i]), m_clustering.ranks[i]);
+            }
         }
     }
     return best;

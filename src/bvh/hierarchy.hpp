@@ -10,21 +10,35 @@
 
 namespace vkbake {
 
-constexpr std::size_t node_width = 8; ///< children of a node
-constexpr std::size_t leaf_width = 8; ///< most triangles in a leaf
+constexpr std::size_t node_width = 16; ///< children of a node
+constexpr std::size_t leaf_width = 16; ///< most triangles in a leaf
 
 /// Inner nodes on the way from the root to a leaf, at most; the builder keeps to it whatever the triangles are.
 constexpr std::size_t greatest_depth = 64;
 /// Each node on the way down leaves all of its children but one on the stack.
 constexpr std::size_t stack_size = greatest_depth * (node_width - 1) + 1;
 
-/// A child is the index of a node, or of a leaf with this bit set.
+/// A child is the index of a node, or a leaf: this bit, the number of its triangles less one, and its index.
 constexpr std::uint32_t leaf_bit = 0x80000000U;
+constexpr unsigned leaf_count_shift = 27;
+constexpr std::uint32_t greatest_leaf_count = 1U << leaf_count_shift;
 
-/// The boxes of the children as rows. A slot without a child has an inverted, infinite box, which no ray passes.
+[[nodiscard]] constexpr std::uint32_t leaf_child(std::size_t index, std::size_t triangles) {
+    return leaf_bit | static_cast<std::uint32_t>(triangles - 1) << leaf_count_shift | static_cast<std::uint32_t>(index);
+}
+[[nodiscard]] constexpr std::uint32_t leaf_index(std::uint32_t child) { return child & (greatest_leaf_count - 1); }
+[[nodiscard]] constexpr std::size_t triangles_of(std::uint32_t child) {
+    return (child >> leaf_count_shift & (leaf_width - 1)) + 1;
+}
+
+/// The boxes of the children as rows. A slot without a child has an inverted box, beyond all that is finite and
+/// small: which no ray and no beam passes, and which gives no infinity to be subtracted.
+constexpr float empty_low = 0x1p100F;
+constexpr float empty_high = -0x1p100F;
 struct alignas(64) WideNode {
     std::array<std::array<float, node_width>, 6> planes; ///< low x, y, z, high x, y, z
     std::array<std::uint32_t, node_width> children;
+    std::uint32_t leaf_lanes; ///< a bit for each child that is a leaf
 };
 
 /// Corners as rows. A lane without a triangle is NaN, which no test lets pass.
@@ -32,6 +46,15 @@ struct alignas(64) Leaf {
     std::array<std::array<std::array<float, leaf_width>, 3>, 3> corners; ///< [corner][axis][lane]
     std::array<std::uint32_t, leaf_width> ranks;
 };
+
+[[nodiscard]] inline Triangle triangle_in(const Leaf& leaf, std::size_t lane) {
+    Triangle triangle;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto& rows = leaf.corners[corner];
+        triangle.corners[corner] = {rows[0][lane], rows[1][lane], rows[2][lane]};
+    }
+    return triangle;
+}
 
 struct Hierarchy {
     std::vector<WideNode> nodes; ///< the root first; none if there are no triangles

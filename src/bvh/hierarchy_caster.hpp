@@ -13,6 +13,9 @@ public:
 
     [[nodiscard]] bool occluded(const PreparedRay& ray) const override;
     [[nodiscard]] NearestHit nearest(const PreparedRay& ray) const override;
+    [[nodiscard]] BlockedRays blocked(const RayBlock& block, const IgnoredRanks& ignored, const Box& bounds,
+                                      BlockScratch& scratch) const override;
+    [[nodiscard]] BlockScratch make_scratch() const override;
     [[nodiscard]] AcceleratorStatistics statistics() const override;
 
 private:

@@ -5,12 +5,27 @@
 
 #include <glm/vec3.hpp>
 
-#include "bvh/accelerator.hpp"
 #include "bvh/box.hpp"
+#include "bvh/sheared_ray.hpp"
 
 namespace vkbake {
 
-/// Shear after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013); slabs after Williams et al., "An
+constexpr float relative_pad = 0x1p-20F; ///< 16 · 2⁻²⁴
+/// Covers what underflow adds where everything lies within about 2⁻¹⁰⁰ of the origin.
+constexpr float least_pad = 0x1p-120F;
+/// A component this much below the largest one moves the ray by less than 2⁻⁴⁰ · M: far less than the pad. So the slabs
+/// may take it as this large, and neither ±0 nor a denormal gives an infinity, or a NaN where a plane meets the origin.
+constexpr float least_slope = 0x1p-40F;
+
+/// On either side of a distance, this far from it relatively, floats tell for certain which side it is.
+constexpr float nearly_one = 1.0F - 0x1p-20F;
+
+/// `extent`: M, see PreparedRay.
+[[nodiscard]] inline float padding_of(float extent) {
+    return extent * relative_pad > least_pad ? extent * relative_pad : least_pad;
+}
+
+/// Slabs after Williams et al., "An
 /// Efficient and Robust Ray–Box Intersection Algorithm" (2005), made conservative (the thought is Ize's, "Robust BVH
 /// Ray Traversal", 2013) against the rounding of both the slabs and the triangle test.
 ///
@@ -21,16 +36,7 @@ namespace vkbake {
 /// triangle, hence of its box. A slab's distance is off by what moving its plane by 3·u·M would do, and moving it by
 /// the pad rounds by 1·u·M. So boxes that are padded by 16·u·M always hold the point: entry(box) ≤ t ≤ exit(box). The
 /// pad sits in the ray (two origins an axis), so that it costs nothing and does not depend on which boxes there are.
-struct PreparedRay {
-    glm::vec3 origin;
-    glm::vec3 direction;
-    float max_distance;
-
-    bool valid; ///< false: meets nothing, and the members below mean nothing
-
-    int x_axis, y_axis, z_axis; ///< z: of the largest component of the direction; x and y so that winding is kept
-    float shear_x, shear_y;     ///< slopes along z
-
+struct PreparedRay : ShearedRay {
     glm::vec3 near_origin, far_origin; ///< where to measure the near and the far planes of boxes from
     glm::vec3 inverse;                 ///< 1 / direction, finite
     std::array<bool, 3> negative;      ///< the sign bit of each component of the direction: high planes are near

@@ -7,6 +7,9 @@
 
 namespace vkbake {
 
+/// For each lane of a block what ShearedRay::ignored_rank is for a ray.
+using IgnoredRanks = std::array<std::uint32_t, RayBlock::lanes>;
+
 /// Answers prepared, valid rays by ranks.
 class RayCaster {
 public:
@@ -18,7 +21,8 @@ public:
     [[nodiscard]] virtual bool occluded(const PreparedRay& ray) const = 0;
     [[nodiscard]] virtual NearestHit nearest(const PreparedRay& ray) const = 0;
     /// Each ray of the block, of triangles that lie in `bounds`; one after the other unless a caster knows better.
-    [[nodiscard]] virtual BlockedRays blocked(const RayBlock& block, const Box& bounds, BlockScratch& scratch) const;
+    [[nodiscard]] virtual BlockedRays blocked(const RayBlock& block, const IgnoredRanks& ignored, const Box& bounds,
+                                              BlockScratch& scratch) const;
     [[nodiscard]] virtual BlockScratch make_scratch() const { return {}; }
     /// `triangles` is not set.
     [[nodiscard]] virtual AcceleratorStatistics statistics() const = 0;

@@ -23,7 +23,7 @@ struct TriangleHit {
 /// and what they leave at 0, is computed again in double, where the products are exact. Double for all that passes, not
 /// for the zeros alone as in the paper: hits are rare beside misses, and t is then as good as the sheared corners are,
 /// on which PreparedRay's pad relies.
-[[nodiscard]] inline TriangleHit test_watertight(const PreparedRay& ray, const Triangle& triangle) {
+[[nodiscard]] inline TriangleHit test_watertight(const ShearedRay& ray, const Triangle& triangle) {
     const glm::vec3 a = triangle.corners[0] - ray.origin;
     const glm::vec3 b = triangle.corners[1] - ray.origin;
     const glm::vec3 c = triangle.corners[2] - ray.origin;

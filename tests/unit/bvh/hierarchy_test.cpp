@@ -4,9 +4,9 @@
 #include <functional>
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include "bvh/split.hpp"
+#include "unit/bvh/only_target.hpp"
 #include "unit/bvh/ray_scenes.hpp"
 
 namespace vkbake {
@@ -55,7 +55,7 @@ private:
             if ((node.children[lane] & leaf_bit) == 0) {
                 inspect_node(node.children[lane], box, depth + 1);
             } else {
-                inspect_leaf(m_hierarchy.leaves[node.children[lane] & ~leaf_bit], box);
+                inspect_leaf(m_hierarchy.leaves[leaf_index(node.children[lane])], box);
             }
         }
     }
@@ -182,21 +182,6 @@ TEST(Split, TakesTheMedianWhereDepthRunsOutOrCentresAreEqual) {
     EXPECT_EQ(split(equal, 40), 4U);
 }
 
-/// Restores the choice of instruction set.
-class OnlyTarget {
-public:
-    explicit OnlyTarget(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-    ~OnlyTarget() {
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-    OnlyTarget(const OnlyTarget&) = delete;
-    OnlyTarget& operator=(const OnlyTarget&) = delete;
-};
-
 TEST(Hierarchy, AnswersDoNotDependOnTheInstructionSet) {
     const test::Triangles triangles =
         test::join("", {test::soup(1000, 0.1F, 5), test::sphere(3, 0.7F, glm::vec3(0.0F))});
@@ -215,12 +200,7 @@ TEST(Hierarchy, AnswersDoNotDependOnTheInstructionSet) {
         return found;
     };
     const auto expected = answers();
-    int tried = 0;
-    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-        const OnlyTarget only(targets & -targets);
-        EXPECT_EQ(answers(), expected);
-        ++tried;
-    }
+    const int tried = test::for_each_target([&] { EXPECT_EQ(answers(), expected); });
     RecordProperty("instruction_sets", tried);
     EXPECT_GE(tried, 1);
 }

@@ -1,0 +1,65 @@
+#include "bvh/block_caster.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "bvh/triangle_test.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bvh/block_caster.cpp"
+// Vectors of a length that is not known when compiling cannot be members of a struct; what has SSSE3 alone is rare.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vkbake::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#include "bvh/row.inl"
+// each needs those before it
+#include "bvh/leaf_test.inl"
+
+#include "bvh/block_rays.inl"
+
+#include "bvh/beams.inl"
+
+#include "bvh/block_traversal.inl"
+
+void trace_block(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored, const Box& bounds,
+                 BlockScratch& scratch, BlockedRays& blocked) {
+    BlockTraversal traversal(hierarchy, block, ignored, bounds, scratch);
+    traversal.run();
+    blocked = traversal.blocked();
+}
+
+} // namespace vkbake::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vkbake {
+
+HWY_EXPORT(trace_block);
+
+BlockedRays blocked_rays(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored,
+                         const Box& bounds, BlockScratch& scratch) {
+    BlockedRays blocked{};
+    if (block.max_distance > 0.0F && !hierarchy.nodes.empty()) {
+        HWY_DYNAMIC_DISPATCH(trace_block)(hierarchy, block, ignored, bounds, scratch, blocked);
+    }
+    return blocked;
+}
+
+// What waits in a queue has been put there by at most one batch for each level of the hierarchy: a batch takes the
+// entries from the top, and what it puts back lies deeper than the deepest entry that it took from. Each puts back at
+// most ray_batch · node_width; under them lies what the beams have put there before a batch was full.
+std::size_t queue_capacity(const Hierarchy& hierarchy) {
+    return (hierarchy.depth + 1) * ray_batch * node_width + ray_batch + RayBlock::rays + node_width;
+}
+
+} // namespace vkbake
+#endif

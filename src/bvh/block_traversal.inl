@@ -1,0 +1,367 @@
+// A block's way through the hierarchy. No include guard: see row.inl, which must come first.
+//
+// Near the root whole strata go down together, as beams. Where too few rays are left in a box for that to pay, each
+// goes on alone: it is put into a queue with the node, and queues are worked off in batches, in which no ray waits for
+// another and the processor overlaps many of them.
+
+class BlockTraversal {
+public:
+    HWY_INLINE BlockTraversal(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored,
+                              const Box& bounds, BlockScratch& scratch)
+        : m_hierarchy(hierarchy), m_block(block), m_ignored(ignored), m_scratch(scratch),
+          m_unlimited(block.max_distance == std::numeric_limits<float>::infinity()) {
+        prepare_rays(block, bounds, m_rays);
+        m_asked = m_rays.alive;
+    }
+
+    void run() {
+        if (make_beams(m_block, m_rays, m_beams)) {
+            descend();
+        } else {
+            enqueue(0, m_rays.alive);
+        }
+        work_off_rays(1);
+        work_off_leaves();
+    }
+
+    [[nodiscard]] BlockedRays blocked() const {
+        BlockedRays blocked;
+        for (std::size_t s = 0; s < RayBlock::strata; ++s) {
+            blocked[s] = static_cast<RayBlock::LaneBits>(m_asked[s] & ~m_rays.alive[s]);
+        }
+        return blocked;
+    }
+
+private:
+    using StratumRays = std::array<RayBlock::LaneBits, RayBlock::strata>;
+
+    // A batch of rays, or the beams, may add so many to a batch that is not full.
+    static constexpr std::size_t leaf_capacity =
+        leaf_batch + std::max(ray_batch * node_width, RayBlock::rays) + node_width;
+
+    struct Pending {
+        std::uint32_t node;
+        unsigned strata;
+        float start;
+    };
+
+    // Beams.
+
+    void descend() {
+        unsigned strata = 0;
+        for (std::size_t s = 0; s < RayBlock::strata; ++s) {
+            strata |= m_rays.alive[s] != 0 ? 1U << s : 0U;
+        }
+        m_stack[0] = {0, strata, 0.0F};
+        std::size_t size = 1;
+        while (size > 0) {
+            const Pending pending = m_stack[--size];
+            const unsigned left = still_alive(pending.strata);
+            if (left != 0) {
+                size = descend_into(m_hierarchy.nodes[pending.node], left, size);
+            }
+        }
+    }
+
+    [[nodiscard]] unsigned still_alive(unsigned strata) const {
+        unsigned left = 0;
+        for (unsigned bits = strata; bits != 0; bits &= bits - 1) {
+            const auto s = static_cast<std::size_t>(std::countr_zero(bits));
+            left |= m_rays.alive[s] != 0 ? bits & -bits : 0U;
+        }
+        return left;
+    }
+
+    std::size_t descend_into(const WideNode& node, unsigned strata, std::size_t size) {
+        const std::size_t base = size;
+        for (unsigned bits = children_in_beam(node, m_beams); bits != 0; bits &= bits - 1) {
+            const auto child = static_cast<std::size_t>(std::countr_zero(bits));
+            unsigned inside = strata_in_beam(node, child, m_beams) & strata;
+            if (inside == 0) {
+                continue;
+            }
+            const std::uint32_t target = node.children[child];
+            const bool leaf = (target & leaf_bit) != 0;
+            if (leaf || static_cast<std::size_t>(std::popcount(inside)) <= strata_for_rays) {
+                StratumRays met;
+                const std::size_t count = rays_in_box(node, child, inside, met);
+                if (count == 0) {
+                    continue;
+                }
+                if (leaf) {
+                    visit_leaf(target, inside, met);
+                    continue;
+                }
+                if (count <= rays_for_queue) {
+                    enqueue(target, inside, met);
+                    continue;
+                }
+            }
+            const float start = m_beams.backwards ? -node.planes[m_beams.w + 3][child] : node.planes[m_beams.w][child];
+            std::size_t place = size++;
+            for (; place > base && m_stack[place - 1].start < start; --place) {
+                m_stack[place] = m_stack[place - 1];
+            }
+            m_stack[place] = {target, inside, start};
+        }
+        return size;
+    }
+
+    /// The rays of these strata that pass the child's box; takes the strata out of which none does.
+    HWY_INLINE std::size_t rays_in_box(const WideNode& node, std::size_t child, unsigned& strata, StratumRays& met) {
+        std::array<Row, 6> planes;
+        for (std::size_t row = 0; row < 6; ++row) {
+            planes[row] = fill(node.planes[row][child]);
+        }
+        std::size_t count = 0;
+        for (unsigned bits = strata; bits != 0; bits &= bits - 1) {
+            const auto s = static_cast<std::size_t>(std::countr_zero(bits));
+            Row entry = fill(0.0F);
+            Row exit = fill(m_block.max_distance);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Row inverse = load(m_rays.inverse[s][axis]);
+                const Row low = multiply_subtract(planes[axis], inverse, load(m_rays.offset[s][axis]));
+                const Row high = multiply_subtract(planes[axis + 3], inverse, load(m_rays.offset[s][axis + 3]));
+                entry = max(entry, min(low, high));
+                exit = min(exit, max(low, high));
+            }
+            met[s] = static_cast<RayBlock::LaneBits>((entry <= exit).bits() & m_rays.alive[s]);
+            count += static_cast<std::size_t>(std::popcount(met[s]));
+            strata &= met[s] != 0 ? ~0U : ~(bits & -bits);
+        }
+        return count;
+    }
+
+    // Single rays: 16 · stratum + lane.
+
+    void enqueue(std::uint32_t node, const StratumRays& met) { enqueue(node, 0xFFFFU, met); }
+    void enqueue(std::uint32_t node, unsigned strata, const StratumRays& met) {
+        for (; strata != 0; strata &= strata - 1) {
+            const auto s = static_cast<std::uint32_t>(std::countr_zero(strata));
+            for (unsigned lanes = met[s]; lanes != 0; lanes &= lanes - 1) {
+                m_scratch.nodes[m_ray_count] = node;
+                m_scratch.rays[m_ray_count++] = 16 * s + static_cast<std::uint32_t>(std::countr_zero(lanes));
+            }
+        }
+        work_off_rays(ray_batch);
+    }
+
+    [[nodiscard]] bool is_alive(std::uint32_t ray) const { return (m_rays.alive[ray / 16] >> (ray % 16) & 1U) != 0; }
+    void block_ray(std::uint32_t ray) {
+        m_rays.alive[ray / 16] = static_cast<RayBlock::LaneBits>(m_rays.alive[ray / 16] & ~(1U << (ray % 16)));
+    }
+
+    /// Until fewer than `enough` wait.
+    void work_off_rays(std::size_t enough) {
+        std::array<std::uint32_t, ray_batch> nodes; // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+        std::array<std::uint32_t, ray_batch> rays;  // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
+        while (m_ray_count >= enough) {
+            const std::size_t count = std::min(m_ray_count, ray_batch);
+            m_ray_count -= count;
+            std::copy_n(m_scratch.nodes.begin() + static_cast<std::ptrdiff_t>(m_ray_count), count, nodes.begin());
+            std::copy_n(m_scratch.rays.begin() + static_cast<std::ptrdiff_t>(m_ray_count), count, rays.begin());
+            for (std::size_t i = 0; i < count; ++i) {
+                if (is_alive(rays[i])) {
+                    visit_node(nodes[i], rays[i]);
+                }
+            }
+            if (m_leaf_count >= leaf_batch) {
+                work_off_leaves();
+            }
+        }
+    }
+
+    HWY_INLINE void visit_node(std::uint32_t index, std::uint32_t ray) {
+        const WideNode& node = m_hierarchy.nodes[index];
+        const std::size_t s = ray / 16;
+        const std::size_t lane = ray % 16;
+        const std::uint32_t course = m_rays.course[s][lane];
+        Row entry = fill(0.0F);
+        Row exit = fill(m_block.max_distance);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const bool negative = (course >> axis & 1U) != 0;
+            const std::size_t near_row = negative ? axis + 3 : axis;
+            const std::size_t far_row = negative ? axis : axis + 3;
+            const Row inverse = fill(m_rays.inverse[s][axis][lane]);
+            entry = max(
+                entry, multiply_subtract(load(node.planes[near_row]), inverse, fill(m_rays.offset[s][near_row][lane])));
+            exit = min(exit,
+                       multiply_subtract(load(node.planes[far_row]), inverse, fill(m_rays.offset[s][far_row][lane])));
+        }
+        const unsigned met = (entry <= exit).bits();
+        const unsigned leaves = met & node.leaf_lanes;
+        const unsigned nodes = met & ~node.leaf_lanes;
+        const std::size_t node_count = compress(node.children, nodes, &m_scratch.nodes[m_ray_count]);
+        fill_numbers(ray, &m_scratch.rays[m_ray_count]);
+        m_ray_count += node_count;
+        const std::size_t leaf_count = compress(node.children, leaves, &m_leaves[m_leaf_count]);
+        fill_numbers(ray, &m_leaf_rays[m_leaf_count]);
+        m_leaf_count += leaf_count;
+    }
+
+    // Leaves.
+
+    [[nodiscard]] HWY_INLINE const Leaf& leaf_at(std::uint32_t child) const {
+        return m_hierarchy.leaves[leaf_index(child)];
+    }
+
+    void visit_leaf(std::uint32_t leaf, unsigned strata, const StratumRays& met) {
+        const std::size_t triangles = triangles_of(leaf);
+        for (; strata != 0; strata &= strata - 1) {
+            const auto s = static_cast<std::uint32_t>(std::countr_zero(strata));
+            const auto rays = static_cast<std::size_t>(std::popcount(met[s]));
+            if (triangles < packet_gain * rays && one_axis(s, met[s])) {
+                visit_leaf_together(leaf, s, met[s]);
+                continue;
+            }
+            for (unsigned lanes = met[s]; lanes != 0; lanes &= lanes - 1) {
+                m_leaves[m_leaf_count] = leaf;
+                m_leaf_rays[m_leaf_count++] = 16 * s + static_cast<std::uint32_t>(std::countr_zero(lanes));
+            }
+        }
+        if (m_leaf_count >= leaf_batch) {
+            work_off_leaves();
+        }
+    }
+
+    /// Whether the largest components of these rays are along one axis, and of one sign.
+    [[nodiscard]] HWY_INLINE bool one_axis(std::size_t s, unsigned lanes) const {
+        const auto& course = m_rays.course[s];
+        const std::uint32_t first = course[static_cast<std::size_t>(std::countr_zero(lanes))];
+        const std::uint32_t mask = 3U << course_axis_shift | 1U << (first >> course_axis_shift);
+        return (differ(course, first, mask).bits() & lanes) == 0;
+    }
+
+    /// All triangles of a leaf, one after the other, against rays of a stratum that have one axis.
+    void visit_leaf_together(std::uint32_t index, std::size_t s, unsigned lanes) {
+        const Leaf& leaf = leaf_at(index);
+        const unsigned asked = lanes;
+        const Axes& axes = axes_of(m_rays.course[s][static_cast<std::size_t>(std::countr_zero(lanes))]);
+        const Row sign = fill(axes.sign);
+        const LeafRays rays{
+            load(m_block.origin[axes.x]),        load(m_block.origin[axes.y]),    sign,
+            sign * load(m_block.origin[axes.z]), load(m_rays.turned_shear[s][0]), load(m_rays.turned_shear[s][1]),
+            load(m_rays.sure_depth[s]),          load(m_rays.futile_depth[s])};
+        const std::size_t count = triangles_of(index);
+        unsigned doubt = 0;
+        for (std::size_t triangle = 0; triangle < count && lanes != 0; ++triangle) {
+            const auto coordinate = [&](std::size_t corner, std::size_t axis)
+                                        HWY_ATTR { return fill(leaf.corners[corner][axis][triangle]); };
+            const LeafEdges edges(rays, {coordinate(0, axes.x), coordinate(0, axes.y), coordinate(0, axes.z),
+                                         coordinate(1, axes.x), coordinate(1, axes.y), coordinate(1, axes.z),
+                                         coordinate(2, axes.x), coordinate(2, axes.y), coordinate(2, axes.z)});
+            const LeafAnswer answer = test_leaf(rays, edges);
+            const RowMask others = unlike(m_ignored, leaf.ranks[triangle]);
+            lanes &= ~(answer.hit & others).bits();
+            doubt |= (answer.doubt & others).bits();
+        }
+        m_rays.alive[s] = static_cast<RayBlock::LaneBits>(m_rays.alive[s] & ~(asked & ~lanes));
+        for (unsigned bits = doubt & lanes; bits != 0; bits &= bits - 1) {
+            const auto ray = static_cast<std::uint32_t>(16 * s) + static_cast<std::uint32_t>(std::countr_zero(bits));
+            if (is_met(leaf, ray)) {
+                block_ray(ray);
+            }
+        }
+    }
+
+    // By a table: the axis that a ray follows cannot be foretold any better than what it meets.
+    struct Axes {
+        std::uint32_t x, y, z;
+        float sign;
+    };
+    static constexpr std::array<Axes, 6> axes_of_courses{
+        {{1, 2, 0, 1.0F}, {2, 1, 0, -1.0F}, {2, 0, 1, 1.0F}, {0, 2, 1, -1.0F}, {0, 1, 2, 1.0F}, {1, 0, 2, -1.0F}}};
+    [[nodiscard]] static HWY_INLINE const Axes& axes_of(std::uint32_t course) {
+        const std::uint32_t z = course >> course_axis_shift;
+        return axes_of_courses[2 * z + (course >> z & 1U)];
+    }
+
+    // Without a branch on what a ray meets: it cannot be foretold, and the next rays need not wait for it.
+    void work_off_leaves() {
+        std::size_t doubtful = 0;
+        for (std::size_t i = 0; i < m_leaf_count; ++i) {
+            const std::uint32_t ray = m_leaf_rays[i];
+            const Leaf& leaf = leaf_at(m_leaves[i]);
+            const LeafAnswer answer = test_leaf(leaf_ray(ray), leaf_edges(leaf, ray));
+            const RowMask others = unlike(leaf.ranks, m_ignored[ray % 16]);
+            const auto hit = static_cast<unsigned>((answer.hit & others).bits() != 0);
+            const auto doubt = static_cast<unsigned>((answer.doubt & others).bits() != 0);
+            m_rays.alive[ray / 16] = static_cast<RayBlock::LaneBits>(m_rays.alive[ray / 16] & ~(hit << (ray % 16)));
+            m_leaves[doubtful] = m_leaves[i];
+            m_leaf_rays[doubtful] = ray;
+            doubtful += doubt & ~hit;
+        }
+        m_leaf_count = 0;
+        for (std::size_t i = 0; i < doubtful; ++i) {
+            if (is_alive(m_leaf_rays[i]) && is_met(leaf_at(m_leaves[i]), m_leaf_rays[i])) {
+                block_ray(m_leaf_rays[i]);
+            }
+        }
+    }
+
+    [[nodiscard]] HWY_INLINE LeafRays leaf_ray(std::uint32_t ray) const {
+        const std::size_t s = ray / 16;
+        const std::size_t lane = ray % 16;
+        const Axes& axes = axes_of(m_rays.course[s][lane]);
+        return {fill(m_block.origin[axes.x][lane]),
+                fill(m_block.origin[axes.y][lane]),
+                fill(axes.sign),
+                fill(axes.sign * m_block.origin[axes.z][lane]),
+                fill(m_rays.turned_shear[s][0][lane]),
+                fill(m_rays.turned_shear[s][1][lane]),
+                fill(m_rays.sure_depth[s][lane]),
+                fill(m_rays.futile_depth[s][lane])};
+    }
+
+    [[nodiscard]] HWY_INLINE LeafEdges leaf_edges(const Leaf& leaf, std::uint32_t ray) const {
+        const Axes& axes = axes_of(m_rays.course[ray / 16][ray % 16]);
+        const auto row = [&](std::size_t corner, std::size_t axis)
+                             HWY_ATTR { return load(leaf.corners[corner][axis]); };
+        return {leaf_ray(ray),
+                {row(0, axes.x), row(0, axes.y), row(0, axes.z), row(1, axes.x), row(1, axes.y), row(1, axes.z),
+                 row(2, axes.x), row(2, axes.y), row(2, axes.z)}};
+    }
+
+    /// Of a ray in doubt.
+    [[nodiscard]] bool is_met(const Leaf& leaf, std::uint32_t ray) const {
+        const LeafEdges edges = leaf_edges(leaf, ray);
+        const RowMask others = unlike(leaf.ranks, m_ignored[ray % 16]);
+        unsigned doubt = (test_leaf(leaf_ray(ray), edges).doubt & others).bits();
+        if (m_unlimited) {
+            const LeafAnswer answer = test_depth(edges);
+            if ((answer.hit.bits() & doubt) != 0) {
+                return true;
+            }
+            doubt &= answer.doubt.bits();
+        }
+        for (; doubt != 0; doubt &= doubt - 1) {
+            const auto triangle = static_cast<std::size_t>(std::countr_zero(doubt));
+            if (test_watertight(sheared_ray(ray / 16, ray % 16), triangle_in(leaf, triangle)).hit) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] ShearedRay sheared_ray(std::size_t s, std::size_t lane) const {
+        const auto& [x, y, z] = m_block.direction[s];
+        return ShearedRay({{m_block.origin[0][lane], m_block.origin[1][lane], m_block.origin[2][lane]},
+                           {x[lane], y[lane], z[lane]},
+                           m_block.max_distance,
+                           no_triangle});
+    }
+
+    const Hierarchy& m_hierarchy;
+    const RayBlock& m_block;
+    alignas(64) IgnoredRanks m_ignored;
+    BlockScratch& m_scratch;
+    bool m_unlimited;
+    BlockRays m_rays;
+    StratumRays m_asked;
+    Beams m_beams;
+    std::array<Pending, stack_size> m_stack;
+    std::size_t m_ray_count = 0;
+    std::size_t m_leaf_count = 0;
+    std::array<std::uint32_t, leaf_capacity> m_leaves;
+    std::array<std::uint32_t, leaf_capacity> m_leaf_rays;
+};
