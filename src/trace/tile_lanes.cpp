@@ -30,6 +30,7 @@ void set_lanes(const Surface& surface, const GeometryImage& geometry, const Sett
                     row[lane] = row[0];
                 }
             }
+            lanes.triangle[lane] = lanes.triangle[0];
             lanes.key[lane] = lanes.key[0];
             continue;
         }
@@ -47,6 +48,7 @@ void set_lanes(const Surface& surface, const GeometryImage& geometry, const Sett
         set_lane(lanes.bitangent, lane, frame.bitangent);
         set_lane(lanes.normal, lane, frame.normal);
         set_lane(lanes.geometric_normal, lane, geometric_normal);
+        lanes.triangle[lane] = geometry.triangle[texel];
         lanes.key[lane] = texel_key(settings.seed, texel % width, texel / width);
     }
     lanes.covered = static_cast<RayBlock::LaneBits>((1U << tile.count) - 1U);

@@ -20,8 +20,9 @@ struct TileLanes {
     alignas(64) Rows origin{};
     alignas(64) Rows tangent{};
     alignas(64) Rows bitangent{};
-    alignas(64) Rows normal{};           ///< the frame's: the shading normal
-    alignas(64) Rows geometric_normal{}; ///< below its plane nothing is traced
+    alignas(64) Rows normal{};                             ///< the frame's: the shading normal
+    alignas(64) Rows geometric_normal{};                   ///< below its plane nothing is traced
+    std::array<std::uint32_t, RayBlock::lanes> triangle{}; ///< that the texel lies on
     std::array<std::uint64_t, RayBlock::lanes> key{};
     RayBlock::LaneBits covered = 0;
 };

@@ -56,6 +56,7 @@ TileRays::TileRays(const Surface& surface, const GeometryImage& geometry, const 
 void TileRays::begin(const TexelTile& tile) {
     set_lanes(*m_surface, *m_geometry, m_plan->settings(), tile, m_lanes);
     m_block.origin = m_lanes.origin;
+    m_block.ignored_triangle = m_lanes.triangle;
     if (const auto* cosine = std::get_if<CosineStrata>(&m_plan->directions())) {
         invert_scrambles(*cosine, m_lanes, m_tables);
     }

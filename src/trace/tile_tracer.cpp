@@ -62,8 +62,9 @@ void TileTracer::probe(std::size_t number, const RayBlock& block, const BlockedR
         if (m_probes[lane] / RayBlock::strata != number || ((blocked[stratum] >> lane) & 1U) == 0) {
             continue;
         }
-        const std::optional<Hit> hit = m_accelerator->nearest(
-            {in_lane(block.origin, lane), in_lane(block.direction[stratum], lane), block.max_distance});
+        const std::optional<Hit> hit =
+            m_accelerator->nearest({in_lane(block.origin, lane), in_lane(block.direction[stratum], lane),
+                                    block.max_distance, block.ignored_triangle[lane]});
         if (hit) {
             ++m_counts.probed_hits;
             m_counts.back_side_hits += hit->back_side ? 1 : 0;
