@@ -50,8 +50,8 @@ HWY_INLINE void add_row(const RayBlock::LaneRow& row, double weight, std::array<
 template<class Radiance>
 HWY_INLINE void add(const Radiance& radiance, const SkyRays& rays, LaneSums& sums) {
     // Two short loops: in one long one each look-up's chain of operations would hide behind too few others.
-    alignas(64) std::array<std::array<RayBlock::LaneRow, 3>, RayBlock::strata>
-        places; // NOLINT(cppcoreguidelines-pro-type-member-init): what is read was written
+    // What is read of it was written. NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+    alignas(64) std::array<std::array<RayBlock::LaneRow, 3>, RayBlock::strata> places;
     const std::size_t strata = rays.directions.size();
     for (std::size_t stratum = 0; stratum < strata; ++stratum) {
         for (std::size_t first = 0; rays.open[stratum] != 0 && first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
