@@ -4,6 +4,7 @@
 #include <bit>
 #include <memory>
 
+#include "bench/common/affordable.hpp"
 #include "bench/common/allocation_meter.hpp"
 #include "bench/common/our_kernels.hpp"
 #include "bench/rays/best_call.hpp"
@@ -37,16 +38,6 @@ EmbreeSide make_embree_side(const EmbreeDevice& device, const EmbreeTriangles& t
     side.asked = best(Pass::ask);
     side.made_and_asked = best(Pass::make_and_ask);
     return side;
-}
-
-/// As many rays as the kernel answers in about the time of a slow pass.
-RaySet affordable(const TriangleAccelerator& accelerator, const RaySet& rays) {
-    constexpr std::size_t few = 200;
-    const RaySet trial = thinned(rays, few);
-    SingleRayKernel kernel(accelerator, trial);
-    (void)seconds_of(kernel, Pass::ask, 1);
-    const double a_ray = seconds_of(kernel, Pass::ask, 1).cpu / static_cast<double>(trial.ray_count);
-    return thinned(rays, std::max(few, static_cast<std::size_t>(slow_pass_seconds / a_ray)));
 }
 
 EntryFigures figures_of(const Entry& entry, const std::vector<Entry>& all) {
@@ -104,7 +95,8 @@ Outcome run_contest(const Options& options) {
     const TriangleAccelerator clusters(
         scene.surface.positions, scene.surface.canonical_order,
         {.kind = Accelerator::clusters, .test = TriangleTest::moller_trumbore, .cluster_splits = 4});
-    const RaySet few_rays = affordable(clusters, rays);
+    const RaySet few_rays = affordable(
+        rays, slow_pass_seconds, [&](const RaySet& some) { return std::make_unique<SingleRayKernel>(clusters, some); });
     const EmbreeTriangles triangles(scene.surface);
     const EmbreeDevice device(all_threads());
     const EmbreeSide robust = make_embree_side(device, triangles, true, rays);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/common/measure.hpp"
 #include "bench/rays/builds.hpp"
-#include "bench/rays/measure.hpp"
 #include "bench/rays/options.hpp"
 #include "bench/rays/verify.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "bench/rays/measure.hpp"
+#include "bench/common/measure.hpp"
 #include "vkbake/settings.hpp"
 
 namespace vkbake::bench {

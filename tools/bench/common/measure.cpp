@@ -1,4 +1,4 @@
-#include "bench/rays/measure.hpp"
+#include "bench/common/measure.hpp"
 
 namespace vkbake::bench {
 namespace {

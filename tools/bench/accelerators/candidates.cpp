@@ -1,0 +1,128 @@
+#include "bench/accelerators/candidates.hpp"
+
+#include <bit>
+
+#include "bench/accelerators/octree.hpp"
+#include "bench/accelerators/uniform_grid.hpp"
+#include "bench/common/our_kernels.hpp"
+#include "bvh/accelerator.hpp"
+#include "bvh/triangle_list.hpp"
+
+namespace vkbake::bench {
+namespace {
+
+/// One of the library's, asked by single rays or by blocks.
+template<typename Kernel>
+class LibraryCandidate final : public Candidate {
+public:
+    LibraryCandidate(const Surface& surface, const AcceleratorSettings& settings)
+        : m_accelerator(surface.positions, surface.canonical_order, settings) {}
+
+    [[nodiscard]] std::size_t bytes() const override { return m_accelerator.statistics().bytes; }
+    [[nodiscard]] std::unique_ptr<Contender> contender(const RaySet& rays) const override {
+        return std::make_unique<Kernel>(m_accelerator, rays);
+    }
+
+private:
+    TriangleAccelerator m_accelerator;
+};
+
+class AskerContender final : public Contender {
+public:
+    AskerContender(const RayAsker& asker, const Box& bounds, const RaySet& rays)
+        : m_asker(&asker), m_bounds(bounds), m_rays(&rays), m_answers(rays.blocks.size()) {}
+
+    [[nodiscard]] std::string description() const override { return "single rays"; }
+    [[nodiscard]] const RaySet& rays() const override { return *m_rays; }
+    [[nodiscard]] Work ask() override {
+        return [this](std::size_t tile) {
+            for (std::size_t b = tile * m_rays->blocks_a_tile; b < (tile + 1) * m_rays->blocks_a_tile; ++b) {
+                m_answers[b] = answer(m_rays->blocks[b]);
+            }
+        };
+    }
+    [[nodiscard]] Work make_and_ask() override {
+        return [this, maker = std::make_shared<RayMaker>(*m_rays->source)](std::size_t tile) {
+            maker->begin(m_rays->tiles[tile]);
+            for (std::size_t b = 0; b < m_rays->blocks_a_tile; ++b) {
+                m_answers[tile * m_rays->blocks_a_tile + b] = answer(maker->make(b));
+            }
+        };
+    }
+    [[nodiscard]] std::vector<BlockedRays> answers() override { return m_answers; }
+
+private:
+    [[nodiscard]] BlockedRays answer(const RayBlock& block) const {
+        BlockedRays blocked{};
+        for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
+            const auto& [x, y, z] = block.direction[stratum];
+            unsigned bits = 0;
+            for (unsigned left = block.active[stratum]; left != 0; left &= left - 1) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+                const PreparedRay ray({{block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]},
+                                       {x[lane], y[lane], z[lane]},
+                                       block.max_distance},
+                                      m_bounds);
+                bits |= ray.valid && m_asker->occluded(ray) ? 1U << lane : 0U;
+            }
+            blocked[stratum] = static_cast<RayBlock::LaneBits>(bits);
+        }
+        return blocked;
+    }
+
+    const RayAsker* m_asker; ///< never null
+    Box m_bounds;
+    const RaySet* m_rays; ///< never null
+    std::vector<BlockedRays> m_answers;
+};
+
+/// A grid or an octree.
+template<typename Asker>
+class SubdivisionCandidate final : public Candidate {
+public:
+    explicit SubdivisionCandidate(const TriangleList& list)
+        : m_bounds(list.bounds), m_asker(list.triangles, list.bounds) {}
+
+    [[nodiscard]] std::size_t bytes() const override { return m_asker.bytes(); }
+    [[nodiscard]] std::unique_ptr<Contender> contender(const RaySet& rays) const override {
+        return std::make_unique<AskerContender>(m_asker, m_bounds, rays);
+    }
+
+private:
+    Box m_bounds;
+    Asker m_asker;
+};
+
+template<typename Kernel>
+CandidateKind of_library(const std::string& name, const AcceleratorSettings& settings) {
+    return {name, [settings](const Surface& surface) -> std::unique_ptr<Candidate> {
+                return std::make_unique<LibraryCandidate<Kernel>>(surface, settings);
+            }};
+}
+
+template<typename Asker>
+CandidateKind of_subdivision(const std::string& name) {
+    return {name, [](const Surface& surface) -> std::unique_ptr<Candidate> {
+                return std::make_unique<SubdivisionCandidate<Asker>>(
+                    list_triangles(surface.positions, surface.canonical_order));
+            }};
+}
+
+} // namespace
+
+std::vector<CandidateKind> all_candidates() {
+    std::vector<CandidateKind> kinds;
+    kinds.push_back(of_library<SingleRayKernel>("brute force", {.kind = Accelerator::brute, .threads = 1}));
+    for (const int splits : {4, 8, 16, 32}) {
+        kinds.push_back(
+            of_library<SingleRayKernel>("flat clusters, K = " + std::to_string(splits),
+                                        {.kind = Accelerator::clusters, .cluster_splits = splits, .threads = 1}));
+    }
+    kinds.push_back(of_subdivision<UniformGrid>("uniform grid"));
+    kinds.push_back(of_subdivision<Octree>("octree"));
+    kinds.push_back(of_library<SingleRayKernel>("our hierarchy, single rays", {.threads = 1}));
+    kinds.push_back(of_library<BlockKernel>("our hierarchy, blocks", {.threads = 1}));
+    return kinds;
+}
+
+} // namespace vkbake::bench
