@@ -27,10 +27,22 @@ private:
     TriangleAccelerator m_accelerator;
 };
 
+/// What a ray is prepared by.
+struct Numbering {
+    explicit Numbering(const TriangleList& list, std::size_t triangles)
+        : bounds(list.bounds), ranks(triangles, no_triangle) {
+        for (std::uint32_t rank = 0; rank < list.numbers.size(); ++rank) {
+            ranks[list.numbers[rank]] = rank;
+        }
+    }
+    Box bounds;
+    std::vector<std::uint32_t> ranks; ///< by the triangle's number
+};
+
 class AskerContender final : public Contender {
 public:
-    AskerContender(const RayAsker& asker, const Box& bounds, const RaySet& rays)
-        : m_asker(&asker), m_bounds(bounds), m_rays(&rays), m_answers(rays.blocks.size()) {}
+    AskerContender(const RayAsker& asker, const Numbering& numbering, const RaySet& rays)
+        : m_asker(&asker), m_numbering(&numbering), m_rays(&rays), m_answers(rays.blocks.size()) {}
 
     [[nodiscard]] std::string description() const override { return "single rays"; }
     [[nodiscard]] const RaySet& rays() const override { return *m_rays; }
@@ -59,10 +71,12 @@ private:
             unsigned bits = 0;
             for (unsigned left = block.active[stratum]; left != 0; left &= left - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-                const PreparedRay ray({{block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]},
-                                       {x[lane], y[lane], z[lane]},
-                                       block.max_distance},
-                                      m_bounds);
+                PreparedRay ray({{block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]},
+                                 {x[lane], y[lane], z[lane]},
+                                 block.max_distance},
+                                m_numbering->bounds);
+                const std::uint32_t ignored = block.ignored_triangle[lane];
+                ray.ignored_rank = ignored == no_triangle ? no_triangle : m_numbering->ranks[ignored];
                 bits |= ray.valid && m_asker->occluded(ray) ? 1U << lane : 0U;
             }
             blocked[stratum] = static_cast<RayBlock::LaneBits>(bits);
@@ -70,9 +84,9 @@ private:
         return blocked;
     }
 
-    const RayAsker* m_asker; ///< never null
-    Box m_bounds;
-    const RaySet* m_rays; ///< never null
+    const RayAsker* m_asker;      ///< never null
+    const Numbering* m_numbering; ///< never null
+    const RaySet* m_rays;         ///< never null
     std::vector<BlockedRays> m_answers;
 };
 
@@ -80,16 +94,18 @@ private:
 template<typename Asker>
 class SubdivisionCandidate final : public Candidate {
 public:
-    explicit SubdivisionCandidate(const TriangleList& list)
-        : m_bounds(list.bounds), m_asker(list.triangles, list.bounds) {}
+    SubdivisionCandidate(const TriangleList& list, std::size_t triangles)
+        : m_numbering(list, triangles), m_asker(list.triangles, list.bounds) {}
 
-    [[nodiscard]] std::size_t bytes() const override { return m_asker.bytes(); }
+    [[nodiscard]] std::size_t bytes() const override {
+        return m_asker.bytes() + m_numbering.ranks.capacity() * sizeof(std::uint32_t);
+    }
     [[nodiscard]] std::unique_ptr<Contender> contender(const RaySet& rays) const override {
-        return std::make_unique<AskerContender>(m_asker, m_bounds, rays);
+        return std::make_unique<AskerContender>(m_asker, m_numbering, rays);
     }
 
 private:
-    Box m_bounds;
+    Numbering m_numbering;
     Asker m_asker;
 };
 
@@ -104,7 +120,7 @@ template<typename Asker>
 CandidateKind of_subdivision(const std::string& name) {
     return {name, [](const Surface& surface) -> std::unique_ptr<Candidate> {
                 return std::make_unique<SubdivisionCandidate<Asker>>(
-                    list_triangles(surface.positions, surface.canonical_order));
+                    list_triangles(surface.positions, surface.canonical_order), surface.triangle_count());
             }};
 }
 

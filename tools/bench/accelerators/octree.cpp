@@ -53,8 +53,9 @@ void Octree::divide(std::uint32_t node, const std::vector<std::uint32_t>& held, 
 bool Octree::occluded_below(std::uint32_t index, const PreparedRay& ray, std::uint32_t nearest_child) const {
     const Node& node = m_nodes[index];
     if (node.children == 0) {
-        return std::any_of(m_indices.begin() + node.begin, m_indices.begin() + node.end,
-                           [&](std::uint32_t rank) { return test_watertight(ray, m_triangles[rank]).hit; });
+        return std::any_of(m_indices.begin() + node.begin, m_indices.begin() + node.end, [&](std::uint32_t rank) {
+            return rank != ray.ignored_rank && test_watertight(ray, m_triangles[rank]).hit;
+        });
     }
     for (std::uint32_t k = 0; k < 8; ++k) { // in an order in which no cube comes before one that hides it
         const std::uint32_t child = node.children + (k ^ nearest_child);

@@ -100,7 +100,7 @@ bool UniformGrid::occluded(const PreparedRay& ray) const {
     while (true) {
         const std::size_t here = index(cell);
         for (std::uint32_t i = m_first[here]; i < m_first[here + 1]; ++i) {
-            if (test_watertight(ray, m_triangles[m_indices[i]]).hit) {
+            if (m_indices[i] != ray.ignored_rank && test_watertight(ray, m_triangles[m_indices[i]]).hit) {
                 return true;
             }
         }

@@ -16,7 +16,8 @@ BlockedRays ask_each(const TriangleAccelerator& accelerator, const RayBlock& blo
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const Ray ray{{block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]},
                           {x[lane], y[lane], z[lane]},
-                          block.max_distance};
+                          block.max_distance,
+                          block.ignored_triangle[lane]};
             bits |= accelerator.occluded(ray) ? 1U << lane : 0U;
         }
         blocked[stratum] = static_cast<RayBlock::LaneBits>(bits);

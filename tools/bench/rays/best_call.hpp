@@ -11,10 +11,12 @@ namespace vkbake::bench {
 struct TriedCall {
     const EmbreeScene* scene = nullptr;
     EmbreeCall call;
-    double seconds = 0.0; ///< of the processor's time; least of the tries
+    double seconds =
+        0.0; ///< of the processor's time; of the finalists the median, of the others the least of the tries
 };
 
-/// Tries every call on every scene, on one thread, `tries` times over; the fastest comes first.
+/// Tries every call on every scene, on one thread, `tries` times over; those that did best run off against each other.
+/// The fastest comes first.
 [[nodiscard]] std::vector<TriedCall> try_calls(const std::vector<const EmbreeScene*>& scenes, const RaySet& rays,
                                                Pass pass, int tries);
 

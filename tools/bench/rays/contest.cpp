@@ -23,6 +23,7 @@ struct EmbreeSide {
     std::unique_ptr<EmbreeScene> medium;
     std::unique_ptr<Contender> asked;
     std::unique_ptr<Contender> made_and_asked;
+    std::vector<WayFigures> tried;
 };
 
 EmbreeSide make_embree_side(const EmbreeDevice& device, const EmbreeTriangles& triangles, bool robust,
@@ -32,7 +33,12 @@ EmbreeSide make_embree_side(const EmbreeDevice& device, const EmbreeTriangles& t
         .medium = std::make_unique<EmbreeScene>(device, triangles, EmbreeQuality{robust, RTC_BUILD_QUALITY_MEDIUM})};
     const RaySet sample = choose_rays(*rays.source, trial_rays);
     const auto best = [&](Pass pass) {
-        const TriedCall won = try_calls({side.high.get(), side.medium.get()}, sample, pass, trials).front();
+        const std::vector<TriedCall> tried = try_calls({side.high.get(), side.medium.get()}, sample, pass, trials);
+        for (const TriedCall& way : tried) {
+            side.tried.push_back({way.scene->quality().name() + ", " + name_of(way.call), pass,
+                                  static_cast<double>(sample.ray_count) / way.seconds});
+        }
+        const TriedCall& won = tried.front();
         return make_embree_contender(*won.scene, won.call, rays, pass);
     };
     side.asked = best(Pass::ask);
@@ -121,6 +127,10 @@ Outcome run_contest(const Options& options) {
     measure(entries, options.threads, options.repeats, options.clock);
     for (const Entry& entry : entries) {
         outcome.entries.push_back(figures_of(entry, entries));
+    }
+
+    for (const EmbreeSide* side : {&robust, &fast}) {
+        outcome.embree_ways.insert(outcome.embree_ways.end(), side->tried.begin(), side->tried.end());
     }
 
     const std::vector<BlockedRays> ours = asked.answers();

@@ -24,6 +24,13 @@ struct EntryFigures {
     double gain = 1.0;                     ///< most threads to fewest
 };
 
+/// One of Embree's ways in the trial that chose the best: fewer rays, one thread, processor time.
+struct WayFigures {
+    std::string description;
+    Pass pass = Pass::ask;
+    double rays_per_second = 0.0;
+};
+
 struct Differences {
     std::size_t blocks_and_single_rays = 0; ///< of ours: must be 0
     std::size_t both_passes = 0;            ///< of ours: must be 0
@@ -42,6 +49,7 @@ struct Outcome {
     double occluded = 0.0;        ///< share of the timed rays
     std::int64_t allocations = 0; ///< by our kernel in a pass, beside what its threads start with: must be 0
     std::vector<EntryFigures> entries;
+    std::vector<WayFigures> embree_ways; ///< all that were tried, the best of a kind of pass first
     Differences differences;
     Verdict verdict;
     std::vector<BuildFigures> builds;

@@ -50,18 +50,24 @@ public:
         m_active = block.active;
         m_max_distance = block.max_distance;
         m_count = 0;
-        const auto add = [&](std::size_t stratum, std::size_t lane) {
+        std::array<Quad, RayBlock::lanes> origins;
+        for (std::size_t lane = 0; lane < RayBlock::lanes; lane += 4) {
+            transpose(&block.origin[0][lane], &block.origin[1][lane], &block.origin[2][lane], &origins[lane]);
+        }
+        for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
             const auto& [x, y, z] = block.direction[stratum];
-            RTCRay& ray = m_rays[m_count++];
-            ray.org_x = block.origin[0][lane];
-            ray.org_y = block.origin[1][lane];
-            ray.org_z = block.origin[2][lane];
-            ray.dir_x = x[lane];
-            ray.dir_y = y[lane];
-            ray.dir_z = z[lane];
-            ray.tfar = block.max_distance;
-        };
-        for_each_active(m_active, add);
+            std::array<Quad, RayBlock::lanes> directions;
+            for (std::size_t lane = 0; lane < RayBlock::lanes; lane += 4) {
+                transpose(&x[lane], &y[lane], &z[lane], &directions[lane]);
+            }
+            for (unsigned left = m_active[stratum]; left != 0; left &= left - 1) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+                auto* const record = reinterpret_cast<std::byte*>(&m_rays[m_count]);
+                std::memcpy(record, &origins[lane], sizeof(Quad)); // and tnear = 0
+                std::memcpy(record + sizeof(Quad), &directions[lane], sizeof(Quad));
+                m_rays[m_count++].tfar = m_max_distance;
+            }
+        }
     }
     void reset() {
         for (RTCRay& ray : m_rays) {
@@ -90,6 +96,27 @@ public:
     }
 
 private:
+    using Quad = float __attribute__((vector_size(16)));
+
+    /// Four values of each row to four records (x, y, z, 0).
+    static void transpose(const float* x_row, const float* y_row, const float* z_row, Quad* records) {
+        Quad x;
+        Quad y;
+        Quad z;
+        const Quad zero{};
+        std::memcpy(&x, x_row, sizeof(Quad));
+        std::memcpy(&y, y_row, sizeof(Quad));
+        std::memcpy(&z, z_row, sizeof(Quad));
+        const Quad low_xy = __builtin_shufflevector(x, y, 0, 4, 1, 5);
+        const Quad high_xy = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+        const Quad low_z = __builtin_shufflevector(z, zero, 0, 4, 1, 5);
+        const Quad high_z = __builtin_shufflevector(z, zero, 2, 6, 3, 7);
+        records[0] = __builtin_shufflevector(low_xy, low_z, 0, 1, 4, 5);
+        records[1] = __builtin_shufflevector(low_xy, low_z, 2, 3, 6, 7);
+        records[2] = __builtin_shufflevector(high_xy, high_z, 0, 1, 4, 5);
+        records[3] = __builtin_shufflevector(high_xy, high_z, 2, 3, 6, 7);
+    }
+
     std::array<RTCRay, RayBlock::rays> m_rays;
     std::array<RayBlock::LaneBits, RayBlock::strata> m_active{};
     unsigned m_count = 0;

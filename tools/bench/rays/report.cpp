@@ -131,6 +131,10 @@ Json to_json(const Options& options, const Outcome& outcome, const Json& machine
     for (const EntryFigures& entry : outcome.entries) {
         json["passes"].push_back(to_json(entry));
     }
+    for (const WayFigures& way : outcome.embree_ways) {
+        json["embree_ways"].push_back(
+            {{"way", way.description}, {"pass", name_of(way.pass)}, {"rays_per_second", way.rays_per_second}});
+    }
     for (const BuildFigures& build : outcome.builds) {
         json["builds"].push_back(to_json(build));
     }
