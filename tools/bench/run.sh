@@ -28,7 +28,7 @@ mkdir -p "$made" "$results"
 
 scenes=("$made"/thesis-objects.glb "$made"/furnished-apartment.glb)
 for size in 5k 20k 80k 320k 1m 2m; do
-    scenes+=("$made/forest-$size.glb")
+    scenes+=("$made/forest-$size.glb" "$made/grove-$size.glb")
 done
 for name in suzanne+ground japanese-bridge-garden city-diorama bunny+ground; do
     scenes+=("../shared/data/scenes/${name%+ground}.glb${name#"${name%+ground}"}")
@@ -51,5 +51,6 @@ for size in "${sizes[@]}"; do
         "$tools/bench/rays/vkbake_bench_rays" "$file" "${options[@]}" --size "$size" --json "$results/$name.json" "$@" >"$results/$name.txt"
         files+=("$results/$name.json")
     done
-    "$tools/bench/summary/vkbake_bench_summary" "${files[@]}" --plot "$results/scaling-$size.svg" | tee "$results/summary-$size.md"
+    "$tools/bench/summary/vkbake_bench_summary" "${files[@]}" --plot "$results/forest-$size.svg" --family forest- | tee "$results/summary-$size.md"
+    "$tools/bench/summary/vkbake_bench_summary" "${files[@]}" --plot "$results/grove-$size.svg" --family grove- >/dev/null
 done

@@ -1,5 +1,6 @@
 // The scenes that only benchmarks use.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -48,30 +49,62 @@ File thesis_objects() {
 }
 
 struct Forest {
-    const char* name;
-    glm::ivec2 cells; ///< one tree and two bushes each
+    std::string name;
+    glm::ivec2 cells{1}; ///< one tree and two bushes each
+    int ground = 12;     ///< cells of the terrain along a side of one of these
+    std::uint32_t trees = 4;
+    std::uint32_t bushes = 3;
+    PlantShape tree;
+    PlantShape bush{
+        .height = 0.7, .radius = 0.03, .stem_rings = 2, .branches = 3, .reach = 0.8, .leaves = 120, .leaf_length = 0.2};
 };
 
-// 2664 triangles a cell: a tree 1644, two bushes 366 each, and ground 288.
-constexpr Forest forests[] = {{"5k", {2, 1}},     {"20k", {4, 2}},  {"80k", {6, 5}},
-                              {"320k", {12, 10}}, {"1m", {20, 19}}, {"2m", {28, 27}}};
+/// As dense everywhere, and the larger the more triangles: 2664 a cell (a tree 1644, two bushes 366 each, ground 288).
+std::vector<Forest> forests_that_grow() {
+    return {{"forest-5k", {2, 1}},     {"forest-20k", {4, 2}},  {"forest-80k", {6, 5}},
+            {"forest-320k", {12, 10}}, {"forest-1m", {20, 19}}, {"forest-2m", {28, 27}}};
+}
 
-/// The denser the same everywhere, the larger the more triangles: what a ray meets near it is alike in all of them.
+/// The same place and trees, and the same area of leaves, cut into ever more of them.
+std::vector<Forest> groves_that_get_finer() {
+    constexpr int cells = 6;
+    std::vector<Forest> groves;
+    const auto add = [&](const char* name, int triangles) {
+        Forest grove{.name = name, .cells = {3, 2}, .ground = 4, .trees = 2, .bushes = 2};
+        grove.tree.stem_rings = 4;
+        grove.tree.branches = 6;
+        grove.bush.branches = 2;
+        constexpr int wood_and_ground = 264 + 2 * 96 + 32; // triangles a cell
+        // A bush has a fifth of a tree's leaves.
+        grove.tree.leaves = (triangles / cells - wood_and_ground) * 5 / 14;
+        grove.bush.leaves = grove.tree.leaves / 5;
+        grove.tree.leaf_length *= std::sqrt(600.0 / grove.tree.leaves);
+        grove.bush.leaf_length *= std::sqrt(120.0 / grove.bush.leaves);
+        groves.push_back(grove);
+    };
+    add("grove-5k", 5'000);
+    add("grove-20k", 20'000);
+    add("grove-80k", 80'000);
+    add("grove-320k", 320'000);
+    add("grove-1m", 1'000'000);
+    add("grove-2m", 2'000'000);
+    return groves;
+}
+
 File forest(const Forest& kind) {
     constexpr double cell = 6.0;
-    constexpr std::uint32_t trees = 4;
-    constexpr std::uint32_t bushes = 3;
-    const PlantShape bush{
-        .height = 0.7, .radius = 0.03, .stem_rings = 2, .branches = 3, .reach = 0.8, .leaves = 120, .leaf_length = 0.2};
+    const std::uint32_t trees = kind.trees;
+    const std::uint32_t bushes = kind.bushes;
     Document document;
     Stage stage(document);
     std::vector<std::size_t> meshes;
     for (std::uint32_t k = 0; k < trees + bushes; ++k) {
-        meshes.push_back(k < trees ? document.add_mesh("tree", make_plant({}, k))
-                                   : document.add_mesh("bush", make_plant(bush, k)));
+        meshes.push_back(k < trees ? document.add_mesh("tree", make_plant(kind.tree, k))
+                                   : document.add_mesh("bush", make_plant(kind.bush, k)));
     }
     const glm::dvec2 size = cell * glm::dvec2(kind.cells);
-    stage.place("terrain", document.add_mesh("terrain", {make_terrain(12 * kind.cells, size)}), glm::dvec3(0.0));
+    stage.place("terrain", document.add_mesh("terrain", {make_terrain(kind.ground * kind.cells, size)}),
+                glm::dvec3(0.0));
     std::uint32_t draw = 1;
     for (int row = 0; row < kind.cells.y; ++row) {
         for (int column = 0; column < kind.cells.x; ++column) {
@@ -86,7 +119,7 @@ File forest(const Forest& kind) {
         }
     }
     document.add_main_camera({-0.1 * size.x - 4.0, 7.0, -0.1 * size.y - 6.0}, {0.4 * size.x, 0.0, 0.4 * size.y});
-    return {std::string("forest-") + kind.name + ".glb", document.to_glb()};
+    return {kind.name + ".glb", document.to_glb()};
 }
 
 } // namespace
@@ -95,8 +128,10 @@ std::vector<File> make_benchmark_files() {
     std::vector<File> files;
     files.push_back(thesis_objects());
     files.push_back({"furnished-apartment.glb", make_furnished_apartment().to_glb()});
-    for (const Forest& kind : forests) {
-        files.push_back(forest(kind));
+    for (const auto& family : {forests_that_grow(), groves_that_get_finer()}) {
+        for (const Forest& kind : family) {
+            files.push_back(forest(kind));
+        }
     }
     return files;
 }
