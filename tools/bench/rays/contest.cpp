@@ -13,7 +13,7 @@
 namespace vkbake::bench {
 namespace {
 
-constexpr std::size_t trial_rays = 150'000;
+constexpr std::size_t trial_rays = 60'000;
 constexpr int trials = 3;
 /// A pass of the thesis's clusters takes about this long, on as many rays as fit.
 constexpr double slow_pass_seconds = 0.3;

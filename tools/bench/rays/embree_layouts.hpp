@@ -41,7 +41,6 @@ class RayRecords {
 public:
     RayRecords() {
         for (RTCRay& ray : m_rays) {
-            ray = {};
             ray.mask = ~0U;
         }
     }
@@ -50,13 +49,13 @@ public:
         m_active = block.active;
         m_max_distance = block.max_distance;
         m_count = 0;
-        std::array<Quad, RayBlock::lanes> origins;
+        std::array<Quad, RayBlock::lanes> origins{};
+        std::array<Quad, RayBlock::lanes> directions{};
         for (std::size_t lane = 0; lane < RayBlock::lanes; lane += 4) {
             transpose(&block.origin[0][lane], &block.origin[1][lane], &block.origin[2][lane], &origins[lane]);
         }
         for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
             const auto& [x, y, z] = block.direction[stratum];
-            std::array<Quad, RayBlock::lanes> directions;
             for (std::size_t lane = 0; lane < RayBlock::lanes; lane += 4) {
                 transpose(&x[lane], &y[lane], &z[lane], &directions[lane]);
             }
@@ -117,7 +116,7 @@ private:
         records[3] = __builtin_shufflevector(high_xy, high_z, 2, 3, 6, 7);
     }
 
-    std::array<RTCRay, RayBlock::rays> m_rays;
+    std::array<RTCRay, RayBlock::rays> m_rays{};
     std::array<RayBlock::LaneBits, RayBlock::strata> m_active{};
     unsigned m_count = 0;
     float m_max_distance = 0.0F;
@@ -129,7 +128,6 @@ class RayPackets {
 public:
     RayPackets() {
         for (Packet& packet : m_packets) {
-            packet = {};
             std::fill_n(packet.mask, Width, ~0U);
         }
     }
@@ -199,7 +197,7 @@ private:
     static constexpr std::size_t parts = RayBlock::lanes / Width; // packets a stratum
     static constexpr std::size_t packet_count = RayBlock::strata * parts;
 
-    std::array<Packet, packet_count> m_packets;
+    std::array<Packet, packet_count> m_packets{};
     alignas(64) std::array<std::array<int, Width>, packet_count> m_valid{};
     std::array<RayBlock::LaneBits, RayBlock::strata> m_active{};
     float m_max_distance = 0.0F;
