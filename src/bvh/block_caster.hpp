@@ -9,11 +9,11 @@
 namespace vkbake {
 
 // Chosen by measurement, see docs/tracing.md.
-inline constexpr std::size_t strata_for_rays = 12; ///< with so few strata left in a box their rays are tested each
-inline constexpr std::size_t rays_for_queue = 96;  ///< so few rays go on alone
+inline constexpr std::size_t strata_for_rays = 6;  ///< with so few strata left in a box their rays are tested each
+inline constexpr std::size_t rays_for_queue = 256; ///< so few rays go on alone
 inline constexpr std::size_t packet_gain = 2;      ///< with fewer triangles than so many a ray they are tested together
 inline constexpr std::size_t ray_batch = 32;
-inline constexpr std::size_t leaf_batch = 48;
+inline constexpr std::size_t leaf_batch = 16;
 
 /// For each active ray of the block whether it meets a triangle, as PreparedRay and test_watertight have it.
 /// `bounds` holds all triangles; `scratch` has the capacity below.

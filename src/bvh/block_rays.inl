@@ -15,6 +15,7 @@ struct BlockRays {
     alignas(64) EachStratum<std::array<std::uint32_t, RayBlock::lanes>> course; ///< see below
     EachStratum<RayBlock::LaneBits> alive;                                      ///< valid and not yet blocked
     float pad;
+    float sure_sum; ///< see test_corners
 };
 
 // A ray's course: a bit for each negative component of its direction, then the axis of the largest one.
@@ -91,6 +92,7 @@ HWY_INLINE void prepare_stratum(const RayBlock& block, std::size_t stratum, cons
 HWY_INLINE void prepare_rays(const RayBlock& block, const Box& bounds, BlockRays& rays) {
     const float extent = extent_of(block, bounds);
     rays.pad = padding_of(extent);
+    rays.sure_sum = sure_sum_of(extent);
     std::array<Row, 3> low_origin;
     std::array<Row, 3> high_origin;
     for (std::size_t axis = 0; axis < 3; ++axis) {

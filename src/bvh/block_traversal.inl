@@ -8,8 +8,7 @@ class BlockTraversal {
 public:
     HWY_INLINE BlockTraversal(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored,
                               const Box& bounds, BlockScratch& scratch)
-        : m_hierarchy(hierarchy), m_block(block), m_ignored(ignored), m_scratch(scratch),
-          m_unlimited(block.max_distance == std::numeric_limits<float>::infinity()) {
+        : m_hierarchy(hierarchy), m_block(block), m_ignored(ignored), m_scratch(scratch) {
         prepare_rays(block, bounds, m_rays);
         m_asked = m_rays.alive;
     }
@@ -161,6 +160,7 @@ private:
             std::copy_n(m_scratch.nodes.begin() + static_cast<std::ptrdiff_t>(m_ray_count), count, nodes.begin());
             std::copy_n(m_scratch.rays.begin() + static_cast<std::ptrdiff_t>(m_ray_count), count, rays.begin());
             for (std::size_t i = 0; i < count; ++i) {
+                fetch(&m_hierarchy.nodes[nodes[std::min(i + 3, count - 1)]], sizeof(WideNode));
                 if (is_alive(rays[i])) {
                     visit_node(nodes[i], rays[i]);
                 }
@@ -199,6 +199,12 @@ private:
         m_leaf_count += leaf_count;
     }
 
+    static HWY_INLINE void fetch(const void* data, std::size_t size) {
+        for (std::size_t byte = 0; byte < size; byte += 64) {
+            hwy::Prefetch(static_cast<const char*>(data) + byte);
+        }
+    }
+
     // Leaves.
 
     [[nodiscard]] HWY_INLINE const Leaf& leaf_at(std::uint32_t child) const {
@@ -235,30 +241,42 @@ private:
     /// All triangles of a leaf, one after the other, against rays of a stratum that have one axis.
     void visit_leaf_together(std::uint32_t index, std::size_t s, unsigned lanes) {
         const Leaf& leaf = leaf_at(index);
-        const unsigned asked = lanes;
         const Axes& axes = axes_of(m_rays.course[s][static_cast<std::size_t>(std::countr_zero(lanes))]);
         const Row sign = fill(axes.sign);
         const LeafRays rays{
             load(m_block.origin[axes.x]),        load(m_block.origin[axes.y]),    sign,
             sign * load(m_block.origin[axes.z]), load(m_rays.turned_shear[s][0]), load(m_rays.turned_shear[s][1]),
-            load(m_rays.sure_depth[s]),          load(m_rays.futile_depth[s])};
-        const std::size_t count = triangles_of(index);
+            load(m_rays.sure_depth[s]),          load(m_rays.futile_depth[s]),    fill(m_rays.sure_sum)};
+        using Rows = std::array<RayBlock::LaneRow, leaf_vertices>;
+        alignas(64) Rows x; // NOLINT(cppcoreguidelines-pro-type-member-init): zeroing costs more than the test
+        alignas(64) Rows y; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
+        alignas(64) Rows z; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
+        for (std::size_t vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+            const LeafVertices at(rays, fill(leaf.vertices[axes.x][vertex]), fill(leaf.vertices[axes.y][vertex]),
+                                  fill(leaf.vertices[axes.z][vertex]));
+            store(at.x, x[vertex]);
+            store(at.y, y[vertex]);
+            store(at.z, z[vertex]);
+        }
+        unsigned left = lanes;
         unsigned doubt = 0;
-        for (std::size_t triangle = 0; triangle < count && lanes != 0; ++triangle) {
-            const auto coordinate = [&](std::size_t corner, std::size_t axis)
-                                        HWY_ATTR { return fill(leaf.corners[corner][axis][triangle]); };
-            const LeafEdges edges(rays, {coordinate(0, axes.x), coordinate(0, axes.y), coordinate(0, axes.z),
-                                         coordinate(1, axes.x), coordinate(1, axes.y), coordinate(1, axes.z),
-                                         coordinate(2, axes.x), coordinate(2, axes.y), coordinate(2, axes.z)});
-            const LeafAnswer answer = test_leaf(rays, edges);
+        for (std::size_t triangle = 0; triangle < triangles_of(index) && left != 0; ++triangle) {
+            const std::size_t a = vertex_of(leaf, triangle, 0);
+            const std::size_t b = vertex_of(leaf, triangle, 1);
+            const std::size_t c = vertex_of(leaf, triangle, 2);
+            const LeafAnswer answer =
+                test_corners(rays, {{load(x[a]), load(y[a]), load(x[b]), load(y[b]), load(x[c]), load(y[c])},
+                                    load(z[a]),
+                                    load(z[b]),
+                                    load(z[c])});
             const RowMask others = unlike(m_ignored, leaf.ranks[triangle]);
-            lanes &= ~(answer.hit & others).bits();
+            left &= ~(answer.hit & others).bits();
             doubt |= (answer.doubt & others).bits();
         }
-        m_rays.alive[s] = static_cast<RayBlock::LaneBits>(m_rays.alive[s] & ~(asked & ~lanes));
-        for (unsigned bits = doubt & lanes; bits != 0; bits &= bits - 1) {
+        m_rays.alive[s] = static_cast<RayBlock::LaneBits>(m_rays.alive[s] & ~(lanes & ~left));
+        for (unsigned bits = doubt & left; bits != 0; bits &= bits - 1) {
             const auto ray = static_cast<std::uint32_t>(16 * s) + static_cast<std::uint32_t>(std::countr_zero(bits));
-            if (is_met(leaf, ray)) {
+            if (is_met(index, ray)) {
                 block_ray(ray);
             }
         }
@@ -280,12 +298,14 @@ private:
     void work_off_leaves() {
         std::size_t doubtful = 0;
         for (std::size_t i = 0; i < m_leaf_count; ++i) {
+            fetch(&leaf_at(m_leaves[std::min(i + 3, m_leaf_count - 1)]), sizeof(Leaf));
             const std::uint32_t ray = m_leaf_rays[i];
             const Leaf& leaf = leaf_at(m_leaves[i]);
-            const LeafAnswer answer = test_leaf(leaf_ray(ray), leaf_edges(leaf, ray));
-            const RowMask others = unlike(leaf.ranks, m_ignored[ray % 16]);
-            const auto hit = static_cast<unsigned>((answer.hit & others).bits() != 0);
-            const auto doubt = static_cast<unsigned>((answer.doubt & others).bits() != 0);
+            const LeafRays rays = leaf_ray(ray);
+            const LeafAnswer answer = test_corners(rays, corners_of(leaf, leaf_seen(leaf, rays, ray)));
+            const unsigned others = triangles_but(leaf, m_leaves[i], ray);
+            const auto hit = static_cast<unsigned>((answer.hit.bits() & others) != 0);
+            const auto doubt = static_cast<unsigned>((answer.doubt.bits() & others) != 0);
             m_rays.alive[ray / 16] = static_cast<RayBlock::LaneBits>(m_rays.alive[ray / 16] & ~(hit << (ray % 16)));
             m_leaves[doubtful] = m_leaves[i];
             m_leaf_rays[doubtful] = ray;
@@ -293,10 +313,20 @@ private:
         }
         m_leaf_count = 0;
         for (std::size_t i = 0; i < doubtful; ++i) {
-            if (is_alive(m_leaf_rays[i]) && is_met(leaf_at(m_leaves[i]), m_leaf_rays[i])) {
+            if (is_alive(m_leaf_rays[i]) && is_met(m_leaves[i], m_leaf_rays[i])) {
                 block_ray(m_leaf_rays[i]);
             }
         }
+    }
+
+    /// The leaf's triangles but for the one that the ray ignores.
+    [[nodiscard]] HWY_INLINE unsigned triangles_but(const Leaf& leaf, std::uint32_t child, std::uint32_t ray) const {
+        return unlike(leaf.ranks, m_ignored[ray % 16]).bits() & ((2U << (triangles_of(child) - 1)) - 1);
+    }
+
+    [[nodiscard]] HWY_INLINE LeafVertices leaf_seen(const Leaf& leaf, const LeafRays& rays, std::uint32_t ray) const {
+        const Axes& axes = axes_of(m_rays.course[ray / 16][ray % 16]);
+        return {rays, load(leaf.vertices[axes.x]), load(leaf.vertices[axes.y]), load(leaf.vertices[axes.z])};
     }
 
     [[nodiscard]] HWY_INLINE LeafRays leaf_ray(std::uint32_t ray) const {
@@ -310,30 +340,16 @@ private:
                 fill(m_rays.turned_shear[s][0][lane]),
                 fill(m_rays.turned_shear[s][1][lane]),
                 fill(m_rays.sure_depth[s][lane]),
-                fill(m_rays.futile_depth[s][lane])};
-    }
-
-    [[nodiscard]] HWY_INLINE LeafEdges leaf_edges(const Leaf& leaf, std::uint32_t ray) const {
-        const Axes& axes = axes_of(m_rays.course[ray / 16][ray % 16]);
-        const auto row = [&](std::size_t corner, std::size_t axis)
-                             HWY_ATTR { return load(leaf.corners[corner][axis]); };
-        return {leaf_ray(ray),
-                {row(0, axes.x), row(0, axes.y), row(0, axes.z), row(1, axes.x), row(1, axes.y), row(1, axes.z),
-                 row(2, axes.x), row(2, axes.y), row(2, axes.z)}};
+                fill(m_rays.futile_depth[s][lane]),
+                fill(m_rays.sure_sum)};
     }
 
     /// Of a ray in doubt.
-    [[nodiscard]] bool is_met(const Leaf& leaf, std::uint32_t ray) const {
-        const LeafEdges edges = leaf_edges(leaf, ray);
-        const RowMask others = unlike(leaf.ranks, m_ignored[ray % 16]);
-        unsigned doubt = (test_leaf(leaf_ray(ray), edges).doubt & others).bits();
-        if (m_unlimited) {
-            const LeafAnswer answer = test_depth(edges);
-            if ((answer.hit.bits() & doubt) != 0) {
-                return true;
-            }
-            doubt &= answer.doubt.bits();
-        }
+    [[nodiscard]] bool is_met(std::uint32_t child, std::uint32_t ray) const {
+        const Leaf& leaf = leaf_at(child);
+        const LeafRays rays = leaf_ray(ray);
+        const LeafCorners corners = corners_of(leaf, leaf_seen(leaf, rays, ray));
+        unsigned doubt = test_corners(rays, corners).doubt.bits() & triangles_but(leaf, child, ray);
         for (; doubt != 0; doubt &= doubt - 1) {
             const auto triangle = static_cast<std::size_t>(std::countr_zero(doubt));
             if (test_watertight(sheared_ray(ray / 16, ray % 16), triangle_in(leaf, triangle)).hit) {
@@ -355,7 +371,6 @@ private:
     const RayBlock& m_block;
     alignas(64) IgnoredRanks m_ignored;
     BlockScratch& m_scratch;
-    bool m_unlimited;
     BlockRays m_rays;
     StratumRays m_asked;
     Beams m_beams;

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "bvh/clusters.hpp"
 #include "bvh/hierarchy.hpp"
+#include "bvh/leaf_builder.hpp"
 #include "bvh/split.hpp"
 #include "vkbake/error.hpp"
 
@@ -35,7 +36,7 @@ struct BinaryNode {
 /// threads neither meet nor change the result.
 class BinaryTree {
 public:
-    BinaryTree(const std::vector<Triangle>& triangles, int cluster_splits, int threads) {
+    BinaryTree(const std::vector<Triangle>& triangles, int cluster_splits, int threads) : m_triangles(triangles) {
         Clustering clustering = cluster_triangles(triangles, cluster_splits, threads);
         m_items.resize(triangles.size());
         parallel_ranges(triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
@@ -77,9 +78,19 @@ private:
         return static_cast<std::uint32_t>(slot);
     }
 
+    [[nodiscard]] bool fit_a_leaf(std::size_t begin, std::size_t end) const {
+        LeafBuilder leaf;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (end - begin > leaf_width || !leaf.add(m_triangles[m_items[i].index], m_items[i].index)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     void build_below(std::size_t begin, std::size_t end, std::size_t slot, std::size_t depth_left) {
         BinaryNode& node = m_nodes[slot];
-        if (end - begin <= leaf_width) {
+        if (fit_a_leaf(begin, end)) {
             node.begin = static_cast<std::uint32_t>(begin);
             node.end = static_cast<std::uint32_t>(end);
             for (const BuildItem& item : items(node)) {
@@ -104,6 +115,7 @@ private:
         node.box.add(m_nodes[right].box);
     }
 
+    const std::vector<Triangle>& m_triangles;
     std::vector<Cluster> m_clusters;
     std::vector<BuildItem> m_items;
     std::vector<BinaryNode> m_nodes;
@@ -172,22 +184,11 @@ private:
     }
 
     std::uint32_t add_leaf(std::span<const BuildItem> items) {
-        Leaf leaf{};
-        for (auto& corner : leaf.corners) {
-            for (auto& row : corner) {
-                row.fill(std::numeric_limits<float>::quiet_NaN());
-            }
+        LeafBuilder leaf;
+        for (const BuildItem& item : items) {
+            leaf.add(m_triangles[item.index], item.index);
         }
-        for (std::size_t lane = 0; lane < items.size(); ++lane) {
-            const Triangle& triangle = m_triangles[items[lane].index];
-            leaf.ranks[lane] = items[lane].index;
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    leaf.corners[corner][static_cast<std::size_t>(axis)][lane] = triangle.corners[corner][axis];
-                }
-            }
-        }
-        m_hierarchy.leaves.push_back(leaf);
+        m_hierarchy.leaves.push_back(leaf.take());
         if (m_hierarchy.leaves.size() > greatest_leaf_count) {
             throw Error(ErrorKind::bad_input, "accelerator: more than 2^27 leaves; split the scene");
         }

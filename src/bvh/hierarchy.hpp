@@ -11,7 +11,7 @@
 namespace vkbake {
 
 constexpr std::size_t node_width = 16; ///< children of a node
-constexpr std::size_t leaf_width = 16; ///< most triangles in a leaf
+constexpr std::size_t leaf_width = 16; ///< most triangles in a leaf; they have at most 16 vertices together
 
 /// Inner nodes on the way from the root to a leaf, at most; the builder keeps to it whatever the triangles are.
 constexpr std::size_t greatest_depth = 64;
@@ -41,17 +41,27 @@ struct alignas(64) WideNode {
     std::uint32_t leaf_lanes; ///< a bit for each child that is a leaf
 };
 
-/// Corners as rows. A lane without a triangle is NaN, which no test lets pass.
+constexpr std::size_t leaf_vertices = 16; ///< most vertices in a leaf
+
+/// Neighbouring triangles share vertices, so these stand once: half the memory, a third of the work.
 struct alignas(64) Leaf {
-    std::array<std::array<std::array<float, leaf_width>, 3>, 3> corners; ///< [corner][axis][lane]
+    std::array<std::array<float, leaf_vertices>, 3> vertices; ///< [axis][vertex]; those not used are as the first
     std::array<std::uint32_t, leaf_width> ranks;
+    /// For each triangle its corners' vertices, four bits each, the first corner lowest. What is beyond the triangles'
+    /// number (see above) is 0.
+    std::array<std::uint16_t, leaf_width> corners;
+    std::uint32_t vertex_count;
 };
+
+[[nodiscard]] constexpr std::size_t vertex_of(const Leaf& leaf, std::size_t triangle, std::size_t corner) {
+    return static_cast<std::size_t>(leaf.corners[triangle]) >> (4 * corner) & 15U;
+}
 
 [[nodiscard]] inline Triangle triangle_in(const Leaf& leaf, std::size_t lane) {
     Triangle triangle;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        const auto& rows = leaf.corners[corner];
-        triangle.corners[corner] = {rows[0][lane], rows[1][lane], rows[2][lane]};
+        const std::size_t vertex = vertex_of(leaf, lane, corner);
+        triangle.corners[corner] = {leaf.vertices[0][vertex], leaf.vertices[1][vertex], leaf.vertices[2][vertex]};
     }
     return triangle;
 }

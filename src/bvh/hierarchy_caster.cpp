@@ -55,8 +55,8 @@ private:
 };
 
 struct Candidates {
-    unsigned bits;
-    bool met;
+    unsigned bits; ///< the triangles that may be met
+    bool met;      ///< one of them for certain
 };
 
 /// One ray against leaves.
@@ -66,26 +66,23 @@ public:
         : m_ray(ray), m_x(static_cast<std::size_t>(ray.x_axis)), m_y(static_cast<std::size_t>(ray.y_axis)),
           m_z(static_cast<std::size_t>(ray.z_axis)) {
         const float sign = ray.direction[ray.z_axis] < 0.0F ? -1.0F : 1.0F;
-        m_rays.origin_x = fill(ray.origin[ray.x_axis]);
-        m_rays.origin_y = fill(ray.origin[ray.y_axis]);
-        m_rays.sign = fill(sign);
-        m_rays.turned_origin_z = fill(sign * ray.origin[ray.z_axis]);
-        m_rays.turned_shear_x = fill(sign * ray.shear_x);
-        m_rays.turned_shear_y = fill(sign * ray.shear_y);
         const float depth = ray.max_distance * sign * ray.direction[ray.z_axis];
-        m_rays.sure_depth = fill(depth * nearly_one);
-        m_rays.futile_depth = fill(depth / nearly_one);
+        m_rays = {fill(ray.origin[ray.x_axis]),
+                  fill(ray.origin[ray.y_axis]),
+                  fill(sign),
+                  fill(sign * ray.origin[ray.z_axis]),
+                  fill(sign * ray.shear_x),
+                  fill(sign * ray.shear_y),
+                  fill(depth * nearly_one),
+                  fill(depth / nearly_one),
+                  fill(sure_sum_of(ray.extent))};
     }
 
-    /// The triangles that the ray may meet, and whether it meets one for certain.
-    HWY_INLINE Candidates operator()(const Leaf& leaf) const {
-        const auto row = [&](std::size_t corner, std::size_t axis)
-                             HWY_ATTR { return load(leaf.corners[corner][axis]); };
-        const LeafEdges edges(m_rays, {row(0, m_x), row(0, m_y), row(0, m_z), row(1, m_x), row(1, m_y), row(1, m_z),
-                                       row(2, m_x), row(2, m_y), row(2, m_z)});
-        const LeafAnswer answer = test_leaf(m_rays, edges);
-        const RowMask others = unlike(leaf.ranks, m_ray.ignored_rank);
-        return {(answer.doubt & others).bits(), (answer.hit & others).bits() != 0};
+    HWY_INLINE Candidates operator()(const Leaf& leaf, std::uint32_t child) const {
+        const LeafVertices at(m_rays, load(leaf.vertices[m_x]), load(leaf.vertices[m_y]), load(leaf.vertices[m_z]));
+        const LeafAnswer answer = test_corners(m_rays, corners_of(leaf, at));
+        const unsigned others = unlike(leaf.ranks, m_ray.ignored_rank).bits() & ((2U << (triangles_of(child) - 1)) - 1);
+        return {answer.doubt.bits() & others, (answer.hit.bits() & others) != 0};
     }
 
 private:
@@ -112,7 +109,7 @@ bool occluded(const Hierarchy& hierarchy, const PreparedRay& ray) {
             continue;
         }
         const Leaf& leaf = hierarchy.leaves[leaf_index(child)];
-        const Candidates candidates = test(leaf);
+        const Candidates candidates = test(leaf, child);
         if (candidates.met) {
             return true;
         }
@@ -165,7 +162,7 @@ NearestHit nearest(const Hierarchy& hierarchy, const PreparedRay& ray) {
             continue;
         }
         const Leaf& leaf = hierarchy.leaves[leaf_index(pending.child)];
-        for (unsigned bits = test(leaf).bits; bits != 0; bits &= bits - 1) {
+        for (unsigned bits = test(leaf, pending.child).bits; bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
             best.offer(test_watertight(ray, triangle_in(leaf, lane)), leaf.ranks[lane]);
         }

@@ -11,66 +11,60 @@ struct LeafRays {
     Row sign, turned_origin_z;          ///< ±1; sign · origin.z
     Row turned_shear_x, turned_shear_y; ///< sign · slope
     Row sure_depth, futile_depth;       ///< along z: below the first a hit is near enough, from the second on too far
+    Row sure_sum;                       ///< see test_corners and sure_sum_of
 };
 
-/// Corners: rows of their coordinates along x, y and z of the ray or rays.
+/// Vertices as the ray or rays see them: sheared, and how far along z.
+struct LeafVertices {
+    Row z, x, y;
+
+    HWY_INLINE LeafVertices(const LeafRays& ray, const Row& at_x, const Row& at_y, const Row& at_z)
+        : z(multiply_subtract(ray.sign, at_z, ray.turned_origin_z)), // exact product: one rounding
+          x(shear(at_x - ray.origin_x, ray.turned_shear_x, z)), y(shear(at_y - ray.origin_y, ray.turned_shear_y, z)) {}
+};
+
+constexpr float surely_in_front = 0x1p-60F;
+
+/// A triangle's corners.
 struct LeafCorners {
-    Row ax, ay, az, bx, by, bz, cx, cy, cz;
-};
-
-/// What of the test is worth keeping for the pairs in doubt.
-struct LeafEdges {
-    Row az, bz, cz;
     ShearedTriangle<Row> at;
-    EdgeFunctions<Row> edge;
-
-    HWY_INLINE LeafEdges(const LeafRays& ray, const LeafCorners& corner)
-        : az(multiply_subtract(ray.sign, corner.az, ray.turned_origin_z)), // exact product: one rounding
-          bz(multiply_subtract(ray.sign, corner.bz, ray.turned_origin_z)),
-          cz(multiply_subtract(ray.sign, corner.cz, ray.turned_origin_z)),
-          at{shear(corner.ax - ray.origin_x, ray.turned_shear_x, az),
-             shear(corner.ay - ray.origin_y, ray.turned_shear_y, az),
-             shear(corner.bx - ray.origin_x, ray.turned_shear_x, bz),
-             shear(corner.by - ray.origin_y, ray.turned_shear_y, bz),
-             shear(corner.cx - ray.origin_x, ray.turned_shear_x, cz),
-             shear(corner.cy - ray.origin_y, ray.turned_shear_y, cz)},
-          edge(at) {}
-    [[nodiscard]] HWY_INLINE Row least() const { return min(edge.u, min(edge.v, edge.w)); }
-    [[nodiscard]] HWY_INLINE Row greatest() const { return max(edge.u, max(edge.v, edge.w)); }
+    Row az, bz, cz;
 };
+
+HWY_INLINE LeafCorners corners_of(const Leaf& leaf, const LeafVertices& vertices) {
+    const RowPlaces a = unpack_places<0>(leaf.corners);
+    const RowPlaces b = unpack_places<4>(leaf.corners);
+    const RowPlaces c = unpack_places<8>(leaf.corners);
+    return {{pick(vertices.x, a), pick(vertices.y, a), pick(vertices.x, b), pick(vertices.y, b), pick(vertices.x, c),
+             pick(vertices.y, c)},
+            pick(vertices.z, a),
+            pick(vertices.z, b),
+            pick(vertices.z, c)};
+}
 
 struct LeafAnswer {
     RowMask hit;   ///< met, for certain
     RowMask doubt; ///< perhaps; those of `hit` too
 };
 
-/// `hit` is never wrong: float edge functions have no wrong sign, so strictly inside is inside in double too; there t
-/// is a weighted mean of the corners' depths, all of which exceed what could underflow.
-HWY_INLINE LeafAnswer test_leaf(const LeafRays& ray, const LeafEdges& leaf) {
+/// Why `hit` is never wrong. Float edge functions have no wrong sign, so strictly inside is inside in double too. There
+/// t is a mean of the corners' depths, weighted by the edge functions. Where all corners are in front by more than
+/// could underflow, t is positive. Elsewhere the weighted sum tells its sign: with M the extent of PreparedRay, sheared
+/// coordinates are below 2·M and depths below M, so an edge function is off by at most 16·2⁻²⁴·M², the sum by
+/// 48·2⁻²⁴·M³ from these and by 72·2⁻²⁴·M³ from its own roundings: beyond 256·2⁻²⁴·M³ its sign is that of t.
+HWY_INLINE LeafAnswer test_corners(const LeafRays& ray, const LeafCorners& corner) {
     const Row zero = fill(0.0F);
-    const Row least = leaf.least();
-    const Row greatest = leaf.greatest();
-    const Row nearest = min(leaf.az, min(leaf.bz, leaf.cz));
-    const Row farthest = max(leaf.az, max(leaf.bz, leaf.cz));
+    const EdgeFunctions<Row> edge(corner.at);
+    const Row least = min(edge.u, min(edge.v, edge.w));
+    const Row greatest = max(edge.u, max(edge.v, edge.w));
+    const Row nearest = min(corner.az, min(corner.bz, corner.cz));
+    const Row farthest = max(corner.az, max(corner.bz, corner.cz));
+    const Row sum = edge.u * corner.az + edge.v * corner.bz + edge.w * corner.cz;
+    const RowMask front_side = zero <= least;
+    const Row depth = select(front_side, sum, zero - sum);
     const RowMask strictly = (zero < least) | (greatest < zero);
-    const RowMask in_front = (fill(0x1p-60F) < nearest) & (farthest < ray.sure_depth);
-    const RowMask met = (zero <= least) | (greatest <= zero);
-    return {strictly & in_front, met & (zero < farthest) & (nearest < ray.futile_depth)};
-}
-
-/// Of the pairs in doubt those that are met for certain, or cannot be told: for rays without a limit.
-/// With X, Y, Z the greatest magnitudes of the corners along the axes, an edge function is off by at most 4·2⁻²⁴·X·Y,
-/// so their sum weighted by depths is off by at most 12·2⁻²⁴·X·Y·Z, and its own roundings add 18·2⁻²⁴·X·Y·Z. Beyond
-/// 64·2⁻²⁴·X·Y·Z its sign is that of t. The least values keep this true where products underflow.
-HWY_INLINE LeafAnswer test_depth(const LeafEdges& leaf) {
-    const Row zero = fill(0.0F);
-    const Row x = max(abs(leaf.at.ax), max(abs(leaf.at.bx), abs(leaf.at.cx)));
-    const Row y = max(abs(leaf.at.ay), max(abs(leaf.at.by), abs(leaf.at.cy)));
-    const Row z = max(abs(leaf.az), max(abs(leaf.bz), abs(leaf.cz)));
-    const Row bound = max(x * y, fill(0x1p-100F)) * max(z, fill(0x1p-60F)) * fill(0x1p-18F);
-    const Row sum = leaf.edge.u * leaf.az + leaf.edge.v * leaf.bz + leaf.edge.w * leaf.cz;
-    const Row least = leaf.least();
-    const Row depth = select(zero <= least, sum, zero - sum);
-    const RowMask strictly = (zero < least) | (leaf.greatest() < zero);
-    return {strictly & (bound < depth), zero - bound <= depth};
+    const RowMask perhaps = front_side | (greatest <= zero);
+    const RowMask ahead = (fill(surely_in_front) < nearest) | (ray.sure_sum < depth);
+    return {strictly & ahead & (farthest < ray.sure_depth),
+            perhaps & (zero < farthest) & (zero - ray.sure_sum <= depth) & (nearest < ray.futile_depth)};
 }

@@ -13,14 +13,14 @@ float largest(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y
 } // namespace
 
 PreparedRay::PreparedRay(const Ray& ray, const Box& bounds)
-    : ShearedRay(ray), near_origin(0.0F), far_origin(0.0F), inverse(0.0F), negative{} {
+    : ShearedRay(ray), extent(0.0F), near_origin(0.0F), far_origin(0.0F), inverse(0.0F), negative{} {
     valid = valid && !bounds.empty();
     if (!valid) {
         return;
     }
     const glm::vec3 magnitude = glm::abs(direction);
     const float length = magnitude[z_axis];
-    const float extent = std::max({largest(origin), largest(bounds.low - origin), largest(bounds.high - origin)});
+    extent = std::max({largest(origin), largest(bounds.low - origin), largest(bounds.high - origin)});
     const float pad = padding_of(extent);
     for (int axis = 0; axis < 3; ++axis) {
         const bool minus = std::signbit(direction[axis]);

@@ -25,6 +25,13 @@ constexpr float nearly_one = 1.0F - 0x1p-20F;
     return extent * relative_pad > least_pad ? extent * relative_pad : least_pad;
 }
 
+/// 256 · 2⁻²⁴ · M³, and no less than what underflow adds: from there on the sum that stands for t has the sign of t
+/// (see leaf_test.inl).
+[[nodiscard]] inline float sure_sum_of(float extent) {
+    const float sum = extent * extent * extent * 0x1p-16F;
+    return sum > 0x1p-100F ? sum : 0x1p-100F;
+}
+
 /// Slabs after Williams et al., "An
 /// Efficient and Robust Ray–Box Intersection Algorithm" (2005), made conservative (the thought is Ize's, "Robust BVH
 /// Ray Traversal", 2013) against the rounding of both the slabs and the triangle test.
@@ -37,6 +44,7 @@ constexpr float nearly_one = 1.0F - 0x1p-20F;
 /// the pad rounds by 1·u·M. So boxes that are padded by 16·u·M always hold the point: entry(box) ≤ t ≤ exit(box). The
 /// pad sits in the ray (two origins an axis), so that it costs nothing and does not depend on which boxes there are.
 struct PreparedRay : ShearedRay {
+    float extent;                      ///< M, see above
     glm::vec3 near_origin, far_origin; ///< where to measure the near and the far planes of boxes from
     glm::vec3 inverse;                 ///< 1 / direction, finite
     std::array<bool, 3> negative;      ///< the sign bit of each component of the direction: high planes are near

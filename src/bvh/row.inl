@@ -164,6 +164,42 @@ HWY_INLINE RowMask differ(const std::array<std::uint32_t, row_size>& numbers, st
     });
 }
 
+/// For each lane a lane of another row.
+struct RowPlaces {
+    hn::Vec<hn::RebindToUnsigned<Lanes>> part[part_count]; // NOLINT(modernize-avoid-c-arrays): as above
+};
+
+/// The places that four bits each hold: those that begin at bit `Shift`.
+template<int Shift>
+HWY_INLINE RowPlaces unpack_places(const std::array<std::uint16_t, row_size>& packed) {
+    const hn::RebindToUnsigned<Lanes> unsigned_lanes;
+    const hn::Rebind<std::uint16_t, Lanes> short_lanes;
+    RowPlaces places;
+    for (std::size_t p = 0; p < part_count; ++p) {
+        const auto row = hn::PromoteTo(unsigned_lanes, hn::Load(short_lanes, packed.data() + p * part_size));
+        places.part[p] = hn::And(hn::ShiftRight<Shift>(row), hn::Set(unsigned_lanes, 15U));
+    }
+    return places;
+}
+
+HWY_INLINE Row pick(const Row& row, const RowPlaces& places) {
+    if constexpr (part_count == 1) {
+        return {{hn::TableLookupLanes(row.part[0], hn::IndicesFromVec(Lanes(), places.part[0]))}};
+    } else {
+        alignas(64) std::array<float, row_size> from;
+        alignas(64) std::array<std::uint32_t, row_size> at;
+        alignas(64) std::array<float, row_size> picked;
+        store(row, from);
+        for (std::size_t p = 0; p < part_count; ++p) {
+            hn::Store(places.part[p], hn::RebindToUnsigned<Lanes>(), at.data() + p * part_size);
+        }
+        for (std::size_t lane = 0; lane < row_size; ++lane) {
+            picked[lane] = from[at[lane]];
+        }
+        return load(picked);
+    }
+}
+
 /// 16 times the same number.
 HWY_INLINE void fill_numbers(std::uint32_t number, std::uint32_t* to) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;

@@ -85,6 +85,53 @@ RayBlock odd_block(test::Random& random) {
     return block;
 }
 
+/// What leaves a surface: origins just above one triangle, some of them over its edges, which is ignored; directions
+/// with zeros and tangents among them.
+RayBlock leaving_block(const test::Triangles& triangles, test::Random& random) {
+    const std::size_t triangle = random.below(triangles.count());
+    const auto [a, b, c] = triangles.corners(triangle);
+    const glm::vec3 across = glm::cross(b - a, c - a);
+    const float area = glm::length(across);
+    const glm::vec3 normal = area > 0.0F ? across / area : glm::vec3(0, 1, 0);
+    const glm::vec3 tangent = area > 0.0F ? glm::normalize(b - a) : glm::vec3(1, 0, 0);
+    const glm::vec3 bitangent = glm::cross(normal, tangent);
+    RayBlock block = make_block(a, 0.0F, random, [&](std::size_t stratum, std::size_t) {
+        const float up = 0.25F * static_cast<float>(1 + stratum % 4);
+        const std::array<glm::vec3, 4> sideways{tangent, -tangent, bitangent, -bitangent};
+        return glm::normalize(normal * up + sideways[stratum / 4]);
+    });
+    for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
+        const float along = static_cast<float>(random.below(5)) / 4.0F;
+        const float rest = (1.0F - along) * static_cast<float>(random.below(5)) / 4.0F;
+        set_origin(block, lane, a + along * (b - a) + rest * (c - a) + normal * 0x1p-20F);
+        block.ignored_triangle[lane] = static_cast<std::uint32_t>(triangle);
+    }
+    return block;
+}
+
+/// Twelve triangles, fronts inwards.
+test::Triangles box(const glm::vec3& low, const glm::vec3& high) {
+    std::vector<glm::vec3> positions;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const bool upper : {false, true}) {
+            const auto corner = [&](int i, int j) {
+                glm::vec3 at = low;
+                at[axis] = upper ? high[axis] : low[axis];
+                at[(axis + 1) % 3] = i != 0 ? high[(axis + 1) % 3] : low[(axis + 1) % 3];
+                at[(axis + 2) % 3] = j != 0 ? high[(axis + 2) % 3] : low[(axis + 2) % 3];
+                return at;
+            };
+            const std::array<glm::vec3, 4> quad{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+            const std::array<std::size_t, 6> order =
+                upper ? std::array<std::size_t, 6>{0, 2, 1, 0, 3, 2} : std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3};
+            for (const std::size_t i : order) {
+                positions.push_back(quad[i]);
+            }
+        }
+    }
+    return test::make_triangles("box", std::move(positions));
+}
+
 std::vector<RayBlock> blocks_of_all_kinds(const test::Triangles& triangles, std::uint64_t seed) {
     test::Random random(seed);
     std::vector<RayBlock> blocks;
@@ -93,6 +140,8 @@ std::vector<RayBlock> blocks_of_all_kinds(const test::Triangles& triangles, std:
         blocks.push_back(incoherent_block(random));
         blocks.push_back(aimed_block(triangles, random));
         blocks.push_back(odd_block(random));
+        blocks.push_back(leaving_block(triangles, random));
+        blocks.push_back(leaving_block(triangles, random));
         blocks.push_back(coherent_block(random));
         blocks.back().max_distance = 0.3F;
         blocks.push_back(aimed_block(triangles, random));
@@ -133,6 +182,8 @@ std::vector<test::Triangles> scenes() {
             test::duplicates(100, 4),
             test::sheet(12, 1, 0.25F),
             test::needle_fan(150),
+            box(glm::vec3(-1.0F), glm::vec3(1.0F)),
+            box({-1.0F, 0.3F, -1.0F}, {1.0F, 0.302F, 1.0F}),
             test::join("sphere in a soup", {test::sphere(4, 0.7F, glm::vec3(0.1F)), test::soup(200, 0.2F, 5)})};
 }
 

@@ -55,22 +55,16 @@ private:
             if ((node.children[lane] & leaf_bit) == 0) {
                 inspect_node(node.children[lane], box, depth + 1);
             } else {
-                inspect_leaf(m_hierarchy.leaves[leaf_index(node.children[lane])], box);
+                inspect_leaf(node.children[lane], box);
             }
         }
     }
 
-    void inspect_leaf(const Leaf& leaf, const Box& above) {
-        for (std::size_t lane = 0; lane < leaf_width; ++lane) {
-            if (std::isnan(leaf.corners[0][0][lane])) {
-                continue;
-            }
+    void inspect_leaf(std::uint32_t child, const Box& above) {
+        const Leaf& leaf = m_hierarchy.leaves[leaf_index(child)];
+        for (std::size_t lane = 0; lane < triangles_of(child); ++lane) {
             ++m_seen[leaf.ranks[lane]];
-            Triangle triangle{};
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const auto& rows = leaf.corners[corner];
-                triangle.corners[corner] = {rows[0][lane], rows[1][lane], rows[2][lane]};
-            }
+            const Triangle triangle = triangle_in(leaf, lane);
             m_contained = m_contained && triangle.corners == m_triangles[leaf.ranks[lane]].corners;
             require(triangle.bounds(), above);
         }
