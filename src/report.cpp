@@ -1,6 +1,7 @@
 #include "vkbake/report.hpp"
 
 #include "base/json.hpp"
+#include "write/manifest.hpp"
 
 namespace vkbake {
 namespace {
@@ -8,18 +9,10 @@ namespace {
 Json vector_json(const glm::dvec3& value) { return Json::array({value.x, value.y, value.z}); }
 
 Json map_json(const LightMap& map) {
-    const LightMapStatistics& statistics = map.statistics;
-    return {{"name", map.name},
-            {"width", map.image.width},
-            {"height", map.image.height},
-            {"covered_texels", statistics.covered_texels},
-            {"filled_texels", statistics.filled_texels},
-            {"rays", statistics.rays},
-            {"occluded_rays", statistics.occluded_rays},
-            {"skipped_directions", statistics.skipped_directions},
-            {"probed_hits", statistics.probed_hits},
-            {"back_side_hits", statistics.back_side_hits},
-            {"seconds", statistics.seconds}};
+    Json json{{"name", map.name}};
+    json.update(counts_json(map));
+    json["seconds"] = map.statistics.seconds;
+    return json;
 }
 
 } // namespace

@@ -41,7 +41,7 @@ public:
                 m_by_width[static_cast<std::size_t>(size.first)].emplace(size.second, at->second);
                 m_by_width[static_cast<std::size_t>(size.second)].emplace(size.first, at->second);
             }
-            m_kinds[at->second].members.push_back({i, width});
+            m_kinds[at->second].members.emplace_back(i, width);
         }
         for (std::size_t width = 0; width < m_by_width.size(); ++width) {
             if (!m_by_width[width].empty()) {

@@ -93,10 +93,14 @@ struct Tiles {
             const TexelBox box = texel_box(atlas, grid, triangle);
             for (int row = box.y_begin / side; row * side < box.y_end; ++row) {
                 for (int column = box.x_begin / side; column * side < box.x_end; ++column) {
-                    triangles[static_cast<std::size_t>(row * columns + column)].push_back(triangle);
+                    triangles[index(row, column)].push_back(triangle);
                 }
             }
         }
+    }
+
+    [[nodiscard]] std::size_t index(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
     }
 
     int side;
@@ -223,7 +227,7 @@ GeometryImage draw_geometry_image(gpu::Context& context, const Surface& surface,
     PageDrawing drawing(context, surface, atlas, grid, std::min(side, grid.width), std::min(side, grid.height));
     for (int row = 0; row < tiles.rows; ++row) {
         for (int column = 0; column < tiles.columns; ++column) {
-            const auto& triangles = tiles.triangles[static_cast<std::size_t>(row * tiles.columns + column)];
+            const auto& triangles = tiles.triangles[tiles.index(row, column)];
             const gpu::Region tile{column * side, row * side, std::min(side, grid.width - column * side),
                                    std::min(side, grid.height - row * side)};
             if (!triangles.empty()) {

@@ -12,6 +12,7 @@
 
 namespace vkbake::gltf {
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what the JSON library calls in its noexcept moves throws nothing
 struct Document {
     Json json;
     /// One for each of json["buffers"], of its byteLength; nullopt: nothing holds its bytes (a fallback of

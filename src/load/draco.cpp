@@ -15,7 +15,7 @@ namespace vkbake::gltf {
 
 namespace {
 
-constexpr const char* extension_name = "KHR_draco_mesh_compression";
+constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 
 /// What an accessor is to hold once its data are decoded.
 struct Decoded {
@@ -53,20 +53,20 @@ public:
         const Json untouched = primitive;
         const Fields fields(m_context, untouched,
                             describe("mesh", mesh_index, "") + ", primitive " + std::to_string(primitive_index));
-        const auto extension = fields.extension(extension_name);
+        const auto extension = fields.extension(draco_extension);
         if (!extension) {
             return;
         }
         if (!has_plain_data(fields, *extension)) {
             replace_accessors(primitive, fields, *extension);
         }
-        drop_extension(primitive, extension_name);
+        drop_extension(primitive, draco_extension);
         m_document.json["meshes"][mesh_index]["primitives"][primitive_index] = std::move(primitive);
     }
 
 private:
     /// Whether the file holds the same mesh uncompressed too, for readers without Draco.
-    bool has_plain_data(const Fields& fields, const Fields& extension) const {
+    [[nodiscard]] bool has_plain_data(const Fields& fields, const Fields& extension) const {
         const Fields attributes = fields.required_object("attributes");
         const auto is_plain = [&](std::uint64_t accessor) {
             return m_document.json["accessors"][accessor].contains("bufferView") && !m_filled.contains(accessor);
@@ -103,14 +103,14 @@ private:
 
     std::uint32_t decode_attribute(const DracoMesh& mesh, std::uint32_t source, std::uint32_t id, std::uint32_t index) {
         const Accessor accessor = read_accessor(m_context, m_document.json, index);
-        const std::size_t stride = (accessor.type.size() + 3) / 4 * 4;
+        const std::size_t stride = accessor.type.vertex_stride();
         const auto key = std::tuple(source, std::uint64_t{id}, accessor.type.component);
         auto known = m_decoded.find(key);
         if (known == m_decoded.end()) {
             reserve_bytes(m_context, m_document, mesh.point_count() * stride);
             const std::uint32_t view = append_view(m_document, mesh.attribute(id, accessor.type));
             Json& json = m_document.json["bufferViews"][view];
-            json["target"] = 34962;
+            json["target"] = ViewTarget::vertices;
             if (stride != accessor.type.size()) {
                 json["byteStride"] = stride;
             }
@@ -136,7 +136,7 @@ private:
             reserve_bytes(m_context, m_document, mesh.triangle_count() * 12);
             std::vector<std::byte> bytes = mesh.indices(component);
             const std::uint32_t view = append_view(m_document, std::move(bytes));
-            m_document.json["bufferViews"][view]["target"] = 34963;
+            m_document.json["bufferViews"][view]["target"] = ViewTarget::indices;
             known = m_decoded.emplace(key, Decoded{view, mesh.triangle_count() * 3, component}).first;
         }
         const std::uint32_t filled = fill(index, known->second);

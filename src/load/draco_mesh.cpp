@@ -124,35 +124,15 @@ std::vector<std::byte> DracoMesh::attribute(std::uint32_t id, const ElementType&
     if (attribute == nullptr) {
         m_where.fail("its Draco data have no attribute " + std::to_string(id));
     }
-    if (type.columns != 1 || attribute->num_components() != static_cast<std::int8_t>(type.rows)) {
+    if (type.columns != 1 || static_cast<std::uint8_t>(attribute->num_components()) != type.rows) {
         m_where.fail("attribute " + std::to_string(id) +
                      " of its Draco data has not as many components as its accessor");
     }
-    const std::size_t stride = (type.size() + 3) / 4 * 4;
+    const std::size_t stride = type.vertex_stride();
     std::vector<std::byte> result(point_count() * stride);
-    const auto read = [&](auto component) {
+    visit_component(type.component, [&](auto component) {
         read_values<decltype(component)>(m_where, *attribute, point_count(), type.rows, stride, result);
-    };
-    switch (type.component) {
-    case byte_type:
-        read(std::int8_t{});
-        break;
-    case unsigned_byte_type:
-        read(std::uint8_t{});
-        break;
-    case short_type:
-        read(std::int16_t{});
-        break;
-    case unsigned_short_type:
-        read(std::uint16_t{});
-        break;
-    case unsigned_int_type:
-        read(std::uint32_t{});
-        break;
-    default:
-        read(float{});
-        break;
-    }
+    });
     return result;
 }
 

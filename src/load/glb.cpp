@@ -5,15 +5,14 @@
 #include <cstring>
 #include <string>
 
+#include "base/glb.hpp"
+
 namespace vkbake::gltf {
 
 namespace {
 
-constexpr std::uint32_t magic = 0x46546C67;       // "glTF"
-constexpr std::uint32_t json_type = 0x4E4F534A;   // "JSON"
-constexpr std::uint32_t binary_type = 0x004E4942; // "BIN\0"
-constexpr std::size_t header_size = 12;
-constexpr std::size_t chunk_header_size = 8;
+using glb::chunk_header_size;
+using glb::header_size;
 
 std::uint32_t read_word(std::span<const std::byte> bytes, std::size_t offset) {
     std::uint32_t word = 0;
@@ -21,21 +20,6 @@ std::uint32_t read_word(std::span<const std::byte> bytes, std::size_t offset) {
         word |= std::to_integer<std::uint32_t>(bytes[offset + i]) << (8 * i);
     }
     return word;
-}
-
-void append_word(std::vector<std::byte>& bytes, std::uint32_t word) {
-    for (unsigned i = 0; i < 4; ++i) {
-        bytes.push_back(static_cast<std::byte>((word >> (8 * i)) & 0xFFU));
-    }
-}
-
-void append_chunk(std::vector<std::byte>& bytes, std::uint32_t type, std::span<const std::byte> data,
-                  std::byte padding) {
-    const std::size_t padded = (data.size() + 3) / 4 * 4;
-    append_word(bytes, static_cast<std::uint32_t>(padded));
-    append_word(bytes, type);
-    bytes.insert(bytes.end(), data.begin(), data.end());
-    bytes.insert(bytes.end(), padded - data.size(), padding);
 }
 
 /// The header checked; the container alone, without what may stand behind it.
@@ -47,7 +31,7 @@ std::span<const std::byte> read_header(Context& context, std::span<const std::by
         context.fail("the GLB header is cut short", "copy or download the file again");
     }
     const std::uint32_t version = read_word(file, 4);
-    if (version != 2) {
+    if (version != glb::version) {
         context.fail("GLB version " + std::to_string(version) + " is not supported", "convert it to glTF 2.0");
     }
     const std::uint32_t length = read_word(file, 8);
@@ -67,7 +51,7 @@ std::span<const std::byte> read_header(Context& context, std::span<const std::by
 
 } // namespace
 
-bool has_glb_magic(std::span<const std::byte> file) { return file.size() >= 4 && read_word(file, 0) == magic; }
+bool has_glb_magic(std::span<const std::byte> file) { return file.size() >= 4 && read_word(file, 0) == glb::magic; }
 
 GlbChunks read_glb(Context& context, std::span<const std::byte> file) {
     const std::span<const std::byte> container = read_header(context, file);
@@ -87,19 +71,19 @@ GlbChunks read_glb(Context& context, std::span<const std::byte> file) {
         if (length % 4 != 0) {
             context.fail("a chunk's length is not a multiple of 4" + where);
         }
-        if ((number == 0) != (type == json_type)) {
+        if ((number == 0) != (type == glb::json_type)) {
             context.fail(number == 0 ? "the first chunk is not of type JSON" : "there is a second JSON chunk" + where);
         }
-        if (type == binary_type && number != 1) {
+        if (type == glb::binary_type && number != 1) {
             context.fail("a BIN chunk is not the second chunk" + where);
         }
         const std::span<const std::byte> data = container.subspan(position, length);
-        if (type == json_type) {
+        if (type == glb::json_type) {
             if (data.empty()) {
                 context.fail("the JSON chunk is empty");
             }
             chunks.json = std::string_view(reinterpret_cast<const char*>(data.data()), data.size());
-        } else if (type == binary_type) {
+        } else if (type == glb::binary_type) {
             chunks.binary = data;
         } else {
             context.note("a chunk of unknown type is ignored" + where);
@@ -107,22 +91,6 @@ GlbChunks read_glb(Context& context, std::span<const std::byte> file) {
         position += length;
     }
     return chunks;
-}
-
-std::vector<std::byte> make_glb(std::string_view json, std::span<const std::byte> binary) {
-    const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
-    const std::size_t total = header_size + chunk_header_size + padded(json.size()) +
-                              (binary.empty() ? 0 : chunk_header_size + padded(binary.size()));
-    std::vector<std::byte> bytes;
-    bytes.reserve(total);
-    append_word(bytes, magic);
-    append_word(bytes, 2);
-    append_word(bytes, static_cast<std::uint32_t>(total));
-    append_chunk(bytes, json_type, std::as_bytes(std::span(json)), std::byte{' '});
-    if (!binary.empty()) {
-        append_chunk(bytes, binary_type, binary, std::byte{0});
-    }
-    return bytes;
 }
 
 } // namespace vkbake::gltf

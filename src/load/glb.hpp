@@ -1,11 +1,10 @@
-// The GLB container (glTF 2.0 §4).
+// The GLB container as it is read (glTF 2.0 §4).
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "load/context.hpp"
 
@@ -22,8 +21,5 @@ struct GlbChunks {
 /// Throws Error{bad_input} where header, lengths, alignment, order or number of the chunks break the specification.
 /// Chunks of unknown type and bytes behind the container are skipped with a note.
 [[nodiscard]] GlbChunks read_glb(Context& context, std::span<const std::byte> file);
-
-/// A container of both; the binary chunk is left out where `binary` is empty. The sum must be less than 4 GiB.
-[[nodiscard]] std::vector<std::byte> make_glb(std::string_view json, std::span<const std::byte> binary);
 
 } // namespace vkbake::gltf

@@ -1,8 +1,6 @@
 #include "load/layout.hpp"
 
-#include <array>
 #include <string>
-#include <string_view>
 
 #include "load/fields.hpp"
 
@@ -10,47 +8,21 @@ namespace vkbake::gltf {
 
 namespace {
 
-constexpr std::uint64_t element_array_target = 34963;
-
 int read_component_type(const Fields& fields) {
-    switch (fields.required_unsigned_integer("componentType")) {
-    case byte_type:
-        return byte_type;
-    case unsigned_byte_type:
-        return unsigned_byte_type;
-    case short_type:
-        return short_type;
-    case unsigned_short_type:
-        return unsigned_short_type;
-    case unsigned_int_type:
-        return unsigned_int_type;
-    case float_type:
-        return float_type;
-    default:
+    const std::uint64_t number = fields.required_unsigned_integer("componentType");
+    if (!is_component_type(number)) {
         fields.fail("\"componentType\" is none that glTF has");
     }
+    return static_cast<int>(number);
 }
 
 ElementType read_element_type(const Fields& fields) {
-    struct Shape {
-        std::string_view name;
-        std::uint32_t rows;
-        std::uint32_t columns;
-    };
-    constexpr std::array<Shape, 7> shapes = {{{"SCALAR", 1, 1},
-                                              {"VEC2", 2, 1},
-                                              {"VEC3", 3, 1},
-                                              {"VEC4", 4, 1},
-                                              {"MAT2", 2, 2},
-                                              {"MAT3", 3, 3},
-                                              {"MAT4", 4, 4}}};
-    const std::string name = fields.required_string("type");
-    for (const Shape& shape : shapes) {
-        if (shape.name == name) {
-            return {.component = read_component_type(fields), .rows = shape.rows, .columns = shape.columns};
-        }
+    const std::string shape = fields.required_string("type");
+    const auto type = element_type(shape, float_type);
+    if (!type) {
+        fields.fail("\"type\" is \"" + printable(shape) + "\", which glTF does not have");
     }
-    fields.fail("\"type\" is \"" + printable(name) + "\", which glTF does not have");
+    return {.component = read_component_type(fields), .rows = type->rows, .columns = type->columns};
 }
 
 void check_alignment(const Fields& fields, const ElementType& type, std::uint64_t offset, const BufferView& view) {
@@ -91,18 +63,6 @@ void check_sparse(const Context& context, const Json& document, const Fields& ac
 
 } // namespace
 
-std::uint64_t ElementType::component_size() const {
-    if (component == byte_type || component == unsigned_byte_type) {
-        return 1;
-    }
-    return component == short_type || component == unsigned_short_type ? 2 : 4;
-}
-
-std::uint64_t ElementType::size() const {
-    const std::uint64_t column = rows * component_size();
-    return columns == 1 ? column : columns * ((column + 3) / 4 * 4);
-}
-
 void check_fits(const Context& context, const std::string& where, const ElementType& type, std::uint64_t count,
                 std::uint64_t offset, std::uint64_t stride, std::uint64_t length) {
     // In this order nothing can overflow: offset and length are below 2^53, stride and size at most 252.
@@ -139,7 +99,7 @@ BufferView read_view(const Context& context, const Json& document, std::size_t i
     if (*stride > view.length) {
         fields.fail("\"byteStride\" is larger than \"byteLength\"");
     }
-    if (fields.unsigned_integer("target") == element_array_target) {
+    if (fields.unsigned_integer("target") == static_cast<std::uint64_t>(ViewTarget::indices)) {
         fields.fail("it is for indices, but has a \"byteStride\"");
     }
     view.stride = *stride;

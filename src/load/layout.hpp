@@ -7,32 +7,17 @@
 #include <span>
 #include <vector>
 
+#include "base/gltf_element.hpp"
 #include "load/context.hpp"
 #include "load/document.hpp"
 
 namespace vkbake::gltf {
-
-inline constexpr int byte_type = 5120;
-inline constexpr int unsigned_byte_type = 5121;
-inline constexpr int short_type = 5122;
-inline constexpr int unsigned_short_type = 5123;
-inline constexpr int unsigned_int_type = 5125;
-inline constexpr int float_type = 5126;
 
 struct BufferView {
     std::uint32_t buffer = 0;
     std::uint64_t offset = 0; ///< bytes
     std::uint64_t length = 0; ///< bytes, not 0
     std::uint64_t stride = 0; ///< bytes; 0: tightly packed
-};
-
-struct ElementType {
-    int component = float_type;
-    std::uint32_t rows = 1;
-    std::uint32_t columns = 1; ///< more than 1 for matrices, whose columns start at multiples of 4 bytes
-
-    [[nodiscard]] std::uint64_t component_size() const;
-    [[nodiscard]] std::uint64_t size() const; ///< of one element, and its stride where tightly packed
 };
 
 struct Accessor {

@@ -186,9 +186,9 @@ private:
     }
 
     static std::size_t element_size(const tinygltf::Accessor& accessor) {
-        return static_cast<std::size_t>(
-            tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)) *
-            tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+        const int bytes = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
+        const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+        return static_cast<std::size_t>(bytes) * static_cast<std::size_t>(components);
     }
 
     void read_positions(Primitive& primitive, int index) const {

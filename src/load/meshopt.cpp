@@ -11,7 +11,7 @@ namespace vkbake::gltf {
 
 namespace {
 
-constexpr const char* extension_name = "EXT_meshopt_compression";
+constexpr const char* meshopt_extension = "EXT_meshopt_compression";
 
 /// What the extension says of one view.
 struct Compressed {
@@ -124,14 +124,14 @@ void decode_meshopt_views(Context& context, Document& document) {
         std::vector<std::byte> bytes;
         {
             const Fields view = element(context, document.json, "bufferViews", "bufferView", i);
-            const auto fields = view.extension(extension_name);
+            const auto fields = view.extension(meshopt_extension);
             if (!fields) {
                 continue;
             }
             bytes = decode_view(context, document, i, *fields);
         }
         Json& view = document.json["bufferViews"][i];
-        drop_extension(view, extension_name);
+        drop_extension(view, meshopt_extension);
         view.erase("byteOffset");
         view["buffer"] = document.buffers.size();
         document.json["buffers"].push_back(Json::object({{"byteLength", bytes.size()}}));

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/glb.hpp"
 #include "base/json.hpp"
-#include "load/glb.hpp"
 
 namespace vkbake::gltf {
 
@@ -27,7 +27,7 @@ std::string static_part(const std::string& json) {
 } // namespace
 
 Model make_model(const Context& context, const SourceDocument& source) {
-    const std::vector<std::byte> glb = make_glb(static_part(source.json), source.binary);
+    const std::vector<std::byte> file = glb::make<std::byte>(static_part(source.json), source.binary);
     Model model;
     model.binary = source.binary;
     tinygltf::TinyGLTF loader;
@@ -35,8 +35,8 @@ Model make_model(const Context& context, const SourceDocument& source) {
     std::string error;
     std::string warning;
     const bool good =
-        loader.LoadBinaryFromMemory(&model.data, &error, &warning, reinterpret_cast<const unsigned char*>(glb.data()),
-                                    static_cast<unsigned int>(glb.size()));
+        loader.LoadBinaryFromMemory(&model.data, &error, &warning, reinterpret_cast<const unsigned char*>(file.data()),
+                                    static_cast<unsigned int>(file.size()));
     if (!good) {
         std::replace(error.begin(), error.end(), '\n', ' ');
         context.fail("the document cannot be read: " + printable(error));

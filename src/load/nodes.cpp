@@ -19,11 +19,14 @@ struct Transform {
 Transform local_transform(const tinygltf::Node& node) {
     Transform local;
     if (node.matrix.size() == 16) {
+        const auto entry = [&](glm::length_t column, glm::length_t row) {
+            return node.matrix[4 * static_cast<std::size_t>(column) + static_cast<std::size_t>(row)];
+        };
         for (glm::length_t column = 0; column < 3; ++column) {
             for (glm::length_t row = 0; row < 3; ++row) {
-                local.linear[column][row] = node.matrix[static_cast<std::size_t>(4 * column + row)];
+                local.linear[column][row] = entry(column, row);
             }
-            local.translation[column] = node.matrix[static_cast<std::size_t>(12 + column)];
+            local.translation[column] = entry(3, column);
         }
         return local;
     }

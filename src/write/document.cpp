@@ -1,13 +1,12 @@
 #include "write/document.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <string>
-#include <string_view>
 
 #include <glm/vec2.hpp>
 
+#include "base/glb.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -25,38 +24,34 @@ std::vector<std::uint8_t> bytes_of(const void* data, std::size_t size) {
     return bytes;
 }
 
-template<typename Value>
-Json read_as(const std::uint8_t* bytes) {
-    Value value{};
-    std::memcpy(&value, bytes, sizeof(value));
-    return value;
+/// Throws Error{bad_input} for a type that glTF does not have.
+gltf::ElementType type_of(const Json& accessor) {
+    const auto shape = accessor.at("type").get<std::string>();
+    const auto component = accessor.at("componentType").get<std::uint64_t>();
+    const auto type = gltf::element_type(shape, static_cast<int>(component));
+    if (!type || !gltf::is_component_type(component)) {
+        damaged("an accessor has the type " + shape + " of " + std::to_string(component));
+    }
+    return *type;
 }
 
 Json read_component(const std::uint8_t* bytes, int component_type) {
-    switch (component_type) {
-    case 5120:
-        return read_as<std::int8_t>(bytes);
-    case 5121:
-        return read_as<std::uint8_t>(bytes);
-    case 5122:
-        return read_as<std::int16_t>(bytes);
-    case 5123:
-        return read_as<std::uint16_t>(bytes);
-    case 5125:
-        return read_as<std::uint32_t>(bytes);
-    default:
-        return read_as<float>(bytes);
-    }
+    return gltf::visit_component(component_type, [bytes](auto value) {
+        std::memcpy(&value, bytes, sizeof(value));
+        return Json(value);
+    });
 }
 
-void set_bounds(Json& accessor, std::span<const std::uint8_t> packed, std::size_t stride, const ElementLayout& layout) {
+void set_bounds(Json& accessor, std::span<const std::uint8_t> packed, const gltf::ElementType& type) {
     Json low = Json::array();
     Json high = Json::array();
-    for (const std::size_t offset : layout.component_offsets) {
-        Json least = read_component(packed.data() + offset, layout.component_type);
+    for (std::size_t component = 0; component < std::size_t{type.rows} * type.columns; ++component) {
+        const std::size_t offset =
+            component / type.rows * type.column_size() + component % type.rows * type.component_size();
+        Json least = read_component(packed.data() + offset, type.component);
         Json greatest = least;
-        for (std::size_t place = offset; place < packed.size(); place += stride) {
-            const Json value = read_component(packed.data() + place, layout.component_type);
+        for (std::size_t place = offset; place < packed.size(); place += type.vertex_stride()) {
+            const Json value = read_component(packed.data() + place, type.component);
             if (value < least) {
                 least = value;
             }
@@ -112,53 +107,9 @@ void for_each_accessor_reference(Json& json, const Visit& visit) {
                    }));
 }
 
-constexpr std::size_t largest_glb = 0xFFFFFFFFULL;
-
-void put_word(std::vector<std::uint8_t>& bytes, std::size_t word) {
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-        bytes.push_back(static_cast<std::uint8_t>(word >> shift));
-    }
-}
-
-void pad(std::vector<std::uint8_t>& bytes, std::uint8_t filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
+void pad(std::vector<std::uint8_t>& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
 
 } // namespace
-
-ElementLayout element_layout(const Json& accessor) {
-    struct Shape {
-        std::string_view name;
-        std::size_t rows;
-        std::size_t columns;
-    };
-    static constexpr std::array<Shape, 7> shapes{{{"SCALAR", 1, 1},
-                                                  {"VEC2", 2, 1},
-                                                  {"VEC3", 3, 1},
-                                                  {"VEC4", 4, 1},
-                                                  {"MAT2", 2, 2},
-                                                  {"MAT3", 3, 3},
-                                                  {"MAT4", 4, 4}}};
-    static constexpr std::array<std::size_t, 7> component_sizes{1, 1, 2, 2, 0, 4, 4};
-    const auto type = accessor.at("type").get<std::string>();
-    const int component_type = accessor.at("componentType").get<int>();
-    const auto* const shape =
-        std::find_if(shapes.begin(), shapes.end(), [&](const Shape& candidate) { return candidate.name == type; });
-    if (shape == shapes.end() || component_type < 5120 || component_type > 5126 || component_type == 5124) {
-        damaged("an accessor has the type " + type + " of " + std::to_string(component_type));
-    }
-    ElementLayout layout;
-    layout.component_type = component_type;
-    const std::size_t component_size = component_sizes.at(static_cast<std::size_t>(component_type - 5120));
-    for (std::size_t column = 0; column < shape->columns; ++column) {
-        for (std::size_t row = 0; row < shape->rows; ++row) {
-            layout.component_offsets.push_back(layout.size + row * component_size);
-        }
-        layout.size += shape->rows * component_size;
-        if (shape->columns > 1) {
-            layout.size = (layout.size + 3) / 4 * 4;
-        }
-    }
-    return layout;
-}
 
 GltfDocument::GltfDocument(const SourceDocument& source)
     : json(Json::parse(source.json, nullptr, false)),
@@ -169,7 +120,7 @@ GltfDocument::GltfDocument(const SourceDocument& source)
 }
 
 std::size_t GltfDocument::add_view(std::span<const std::uint8_t> bytes, ViewTarget target, std::size_t stride) {
-    pad(m_added, 0);
+    pad(m_added);
     Json view{{"buffer", 1}, {"byteOffset", m_added.size()}, {"byteLength", bytes.size()}};
     if (stride > 0) {
         view["byteStride"] = stride;
@@ -198,14 +149,17 @@ std::size_t GltfDocument::add_indices(std::span<const std::uint32_t> indices, st
         bytes = bytes_of(indices.data(), indices.size_bytes());
     }
     const std::size_t view = add_view(bytes, ViewTarget::indices);
-    return add_accessor(
-        {{"bufferView", view}, {"componentType", small ? 5123 : 5125}, {"count", indices.size()}, {"type", "SCALAR"}});
+    return add_accessor({{"bufferView", view},
+                         {"componentType", small ? gltf::unsigned_short_type : gltf::unsigned_int_type},
+                         {"count", indices.size()},
+                         {"type", "SCALAR"}});
 }
 
 std::size_t GltfDocument::add_uvs(std::span<const glm::vec2> uvs) {
     static_assert(sizeof(glm::vec2) == 8);
     const std::size_t view = add_view(bytes_of(uvs.data(), uvs.size_bytes()), ViewTarget::vertices);
-    return add_accessor({{"bufferView", view}, {"componentType", 5126}, {"count", uvs.size()}, {"type", "VEC2"}});
+    return add_accessor(
+        {{"bufferView", view}, {"componentType", gltf::float_type}, {"count", uvs.size()}, {"type", "VEC2"}});
 }
 
 std::span<const std::uint8_t> GltfDocument::view_bytes(const Json& view) const {
@@ -220,35 +174,34 @@ std::span<const std::uint8_t> GltfDocument::view_bytes(const Json& view) const {
 
 std::size_t GltfDocument::gather(std::size_t index, std::span<const std::uint32_t> elements, bool bounds) {
     Json accessor = json.at("accessors").at(index);
-    const ElementLayout layout = element_layout(accessor);
+    const gltf::ElementType type = type_of(accessor);
     const auto count = accessor.at("count").get<std::size_t>();
     if (std::any_of(elements.begin(), elements.end(), [&](std::uint32_t element) { return element >= count; })) {
         damaged("accessor " + std::to_string(index) + " has fewer elements than its mesh has vertices");
     }
     bounds = bounds || accessor.contains("min") || accessor.contains("max");
-    // Vertex attributes must start at multiples of 4.
-    const std::size_t stride = (layout.size + 3) / 4 * 4;
+    const std::size_t size = type.size();
+    const std::size_t stride = type.vertex_stride();
     std::vector<std::uint8_t> packed(elements.size() * stride);
     if (accessor.contains("bufferView")) { // else all elements are 0
         const Json& view = json.at("bufferViews").at(accessor["bufferView"].get<std::size_t>());
-        const std::size_t source_stride = view.value("byteStride", layout.size);
+        const std::size_t source_stride = view.value("byteStride", size);
         const std::size_t offset = accessor.value("byteOffset", std::size_t{0});
         const std::span<const std::uint8_t> bytes = view_bytes(view);
-        if (count > 0 &&
-            (offset > bytes.size() || layout.size > bytes.size() - offset ||
-             (count - 1) > (bytes.size() - offset - layout.size) / std::max<std::size_t>(source_stride, 1))) {
+        if (count > 0 && (offset > bytes.size() || size > bytes.size() - offset ||
+                          (count - 1) > (bytes.size() - offset - size) / std::max<std::size_t>(source_stride, 1))) {
             damaged("accessor " + std::to_string(index) + " reaches beyond its view");
         }
         for (std::size_t element = 0; element < elements.size(); ++element) {
             std::memcpy(packed.data() + element * stride, bytes.data() + offset + elements[element] * source_stride,
-                        layout.size);
+                        size);
         }
     }
-    accessor["bufferView"] = add_view(packed, ViewTarget::vertices, stride == layout.size ? 0 : stride);
+    accessor["bufferView"] = add_view(packed, ViewTarget::vertices, stride == size ? 0 : stride);
     accessor["count"] = elements.size();
     accessor.erase("byteOffset");
     if (bounds) {
-        set_bounds(accessor, packed, stride, layout);
+        set_bounds(accessor, packed, type);
     }
     return add_accessor(std::move(accessor));
 }
@@ -283,13 +236,13 @@ std::vector<std::uint8_t> GltfDocument::drop_unused_views() {
             continue;
         }
         const std::span<const std::uint8_t> bytes = view_bytes(views[index]);
-        pad(binary, 0);
+        pad(binary);
         views[index]["buffer"] = 0;
         views[index]["byteOffset"] = binary.size();
         binary.insert(binary.end(), bytes.begin(), bytes.end());
         kept.push_back(std::move(views[index]));
     }
-    pad(binary, 0);
+    pad(binary);
     for_each_member(json, "bufferView", [&](Json& index) { index = places[index.get<std::size_t>()]; });
     json["bufferViews"] = std::move(kept);
     return binary;
@@ -308,27 +261,12 @@ std::vector<std::uint8_t> GltfDocument::to_glb() {
         }
     }
     const std::string text = json.dump();
-    std::vector<std::uint8_t> chunk(text.begin(), text.end());
-    pad(chunk, ' ');
-    const std::size_t total = 12 + 8 + chunk.size() + (binary.empty() ? 0 : 8 + binary.size());
-    if (total > largest_glb) {
-        throw Error(ErrorKind::output, "the baked scene has " + std::to_string(total >> 20U) +
+    const std::size_t size = glb::size_of(text.size(), binary.size());
+    if (size > glb::largest_size) {
+        throw Error(ErrorKind::output, "the baked scene has " + std::to_string(size >> 20U) +
                                            " MiB, more than the 4 GiB that a GLB can hold; split the scene");
     }
-    std::vector<std::uint8_t> file;
-    file.reserve(total);
-    put_word(file, 0x46546C67); // "glTF"
-    put_word(file, 2);
-    put_word(file, total);
-    put_word(file, chunk.size());
-    put_word(file, 0x4E4F534A); // "JSON"
-    file.insert(file.end(), chunk.begin(), chunk.end());
-    if (!binary.empty()) {
-        put_word(file, binary.size());
-        put_word(file, 0x004E4942); // "BIN"
-        file.insert(file.end(), binary.begin(), binary.end());
-    }
-    return file;
+    return glb::make<std::uint8_t>(text, binary);
 }
 
 } // namespace vkbake

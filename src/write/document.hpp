@@ -9,20 +9,13 @@
 
 #include <glm/vec2.hpp>
 
+#include "base/gltf_element.hpp"
 #include "base/json.hpp"
 #include "vkbake/scene.hpp"
 
 namespace vkbake {
 
-/// glTF's numbers for what a view is for.
-enum class ViewTarget : std::uint16_t { none = 0, vertices = 34962, indices = 34963 };
-
-/// Where a component of an accessor's element lies; columns of matrices start at multiples of 4 bytes.
-struct ElementLayout {
-    int component_type = 0;                     ///< glTF's number: 5120 … 5126
-    std::size_t size = 0;                       ///< bytes of one element, packed
-    std::vector<std::size_t> component_offsets; ///< bytes
-};
+using gltf::ViewTarget;
 
 /// Changes go into `json` and, for bytes, through the functions below. Nothing is removed before `to_glb`.
 class GltfDocument {
@@ -55,9 +48,6 @@ private:
     std::span<const std::uint8_t> m_source;
     std::vector<std::uint8_t> m_added; // what views with "buffer": 1 refer to until to_glb
 };
-
-/// Throws Error{bad_input} for a type that glTF does not have.
-[[nodiscard]] ElementLayout element_layout(const Json& accessor);
 
 /// Calls visit(value) for every member named `key`, at any depth, but for what lies in extras, whose names mean
 /// nothing.

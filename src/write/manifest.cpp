@@ -16,21 +16,9 @@ constexpr int manifest_version = 1;
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json map_json(const LightMap& map, const WrittenMap& written, Mode mode) {
-    const LightMapStatistics& statistics = map.statistics;
-    const auto texels = static_cast<double>(map.image.texels.size());
-    Json json{{"name", map.name},
-              {"file", written.file},
-              {"width", map.image.width},
-              {"height", map.image.height},
-              {"coverage", texels > 0.0 ? static_cast<double>(statistics.covered_texels) / texels : 0.0},
-              {"covered_texels", statistics.covered_texels},
-              {"filled_texels", statistics.filled_texels},
-              {"rays", statistics.rays},
-              {"occluded_rays", statistics.occluded_rays},
-              {"skipped_directions", statistics.skipped_directions},
-              {"probed_hits", statistics.probed_hits},
-              {"back_side_hits", statistics.back_side_hits},
-              {"values_out_of_range", written.changed_values}};
+    Json json{{"name", map.name}, {"file", written.file}};
+    json.update(counts_json(map));
+    json["values_out_of_range"] = written.changed_values;
     if (mode == Mode::irradiance) {
         json["intensity"] = written.intensity;
     }
@@ -91,6 +79,21 @@ Json settings_json(const Settings& settings) {
             {"cluster-splits", settings.cluster_splits},
             {"seed", settings.seed},
             {"padding", settings.padding}};
+}
+
+Json counts_json(const LightMap& map) {
+    const LightMapStatistics& statistics = map.statistics;
+    const auto texels = static_cast<double>(map.image.texels.size());
+    return {{"width", map.image.width},
+            {"height", map.image.height},
+            {"coverage", texels > 0.0 ? static_cast<double>(statistics.covered_texels) / texels : 0.0},
+            {"covered_texels", statistics.covered_texels},
+            {"filled_texels", statistics.filled_texels},
+            {"rays", statistics.rays},
+            {"occluded_rays", statistics.occluded_rays},
+            {"skipped_directions", statistics.skipped_directions},
+            {"probed_hits", statistics.probed_hits},
+            {"back_side_hits", statistics.back_side_hits}};
 }
 
 Json make_manifest(const std::string& scene, const Bake& bake, const std::string& command,

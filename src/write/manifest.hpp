@@ -34,6 +34,9 @@ struct WrittenMap {
 /// Settings under the names of the command line's flags, without "threads".
 [[nodiscard]] Json settings_json(const Settings& settings);
 
+/// Size, coverage and statistics of one map; no times.
+[[nodiscard]] Json counts_json(const LightMap& map);
+
 /// Reads DIRECTORY/manifest.json and every file that it lists. Throws Error{bad_input} where one is missing, lies
 /// outside the directory, or is not the one that was written.
 [[nodiscard]] Json read_manifest(const std::filesystem::path& directory);

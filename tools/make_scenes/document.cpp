@@ -7,17 +7,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/glb.hpp"
 #include "make_scenes/textures.hpp"
 #include "make_scenes/turn.hpp"
 
 namespace vkbake::scenes {
 namespace {
-
-constexpr int array_buffer = 34962;
-constexpr int element_array_buffer = 34963;
-constexpr int unsigned_short = 5123;
-constexpr int unsigned_int = 5125;
-constexpr int float_32 = 5126;
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -34,12 +29,6 @@ glm::dvec4 to_quaternion(const glm::dvec3& right, const glm::dvec3& up, const gl
     return {(up.x + right.y) * s, y, (back.y + up.z) * s, (back.x - right.z) * s};
 }
 
-void append_word(std::vector<std::byte>& bytes, std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8) {
-        bytes.push_back(static_cast<std::byte>(value >> shift & 0xFFU));
-    }
-}
-
 } // namespace
 
 glm::dvec4 rotation_about_y(double turns) {
@@ -47,10 +36,10 @@ glm::dvec4 rotation_about_y(double turns) {
     return {0.0, half.y, 0.0, half.x};
 }
 
-std::size_t Document::add_view(const void* data, std::size_t size, int target) {
+std::size_t Document::add_view(const void* data, std::size_t size, gltf::ViewTarget target) {
     m_binary.resize((m_binary.size() + 3) / 4 * 4);
     Json view{{"buffer", 0}, {"byteOffset", m_binary.size()}, {"byteLength", size}};
-    if (target != 0) {
+    if (target != gltf::ViewTarget::none) {
         view["target"] = target;
     }
     const std::size_t start = m_binary.size();
@@ -62,8 +51,8 @@ std::size_t Document::add_view(const void* data, std::size_t size, int target) {
 
 template<class T>
 std::size_t Document::add_accessor(const std::vector<T>& values, const char* type, bool with_bounds) {
-    Json accessor{{"bufferView", add_view(values.data(), values.size() * sizeof(T), array_buffer)},
-                  {"componentType", float_32},
+    Json accessor{{"bufferView", add_view(values.data(), values.size() * sizeof(T), gltf::ViewTarget::vertices)},
+                  {"componentType", gltf::float_type},
                   {"count", values.size()},
                   {"type", type}};
     if (with_bounds) {
@@ -90,12 +79,12 @@ std::size_t Document::add_indices(const Patch& patch) {
         for (const std::uint32_t index : patch.indices) {
             short_indices.push_back(static_cast<std::uint16_t>(index));
         }
-        view = add_view(short_indices.data(), short_indices.size() * sizeof(std::uint16_t), element_array_buffer);
+        view = add_view(short_indices.data(), short_indices.size() * sizeof(std::uint16_t), gltf::ViewTarget::indices);
     } else {
-        view = add_view(patch.indices.data(), patch.indices.size() * sizeof(std::uint32_t), element_array_buffer);
+        view = add_view(patch.indices.data(), patch.indices.size() * sizeof(std::uint32_t), gltf::ViewTarget::indices);
     }
     m_json["accessors"].push_back({{"bufferView", view},
-                                   {"componentType", narrow ? unsigned_short : unsigned_int},
+                                   {"componentType", narrow ? gltf::unsigned_short_type : gltf::unsigned_int_type},
                                    {"count", patch.indices.size()},
                                    {"type", "SCALAR"}});
     return m_json["accessors"].size() - 1;
@@ -105,7 +94,7 @@ std::size_t Document::texture(Texture kind) {
     const auto [found, is_new] = m_textures.try_emplace(kind, m_textures.size());
     if (is_new) {
         const std::vector<std::byte> file = encode_png(make_texture(kind));
-        const std::size_t view = add_view(file.data(), file.size(), 0);
+        const std::size_t view = add_view(file.data(), file.size(), gltf::ViewTarget::none);
         m_json["images"].push_back(
             {{"name", kind == Texture::wood ? "wood" : "grain"}, {"bufferView", view}, {"mimeType", "image/png"}});
         m_json["textures"].push_back({{"sampler", 0}, {"source", found->second}});
@@ -206,24 +195,7 @@ std::vector<std::byte> Document::to_glb() const {
     std::vector<std::byte> binary = m_binary;
     binary.resize((binary.size() + 3) / 4 * 4);
     json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
-    std::string text = json.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-
-    constexpr std::uint32_t header_size = 12;
-    constexpr std::uint32_t chunk_header_size = 8;
-    std::vector<std::byte> glb;
-    append_word(glb, 0x46546C67); // "glTF"
-    append_word(glb, 2);
-    append_word(glb, static_cast<std::uint32_t>(header_size + 2 * chunk_header_size + text.size() + binary.size()));
-    append_word(glb, static_cast<std::uint32_t>(text.size()));
-    append_word(glb, 0x4E4F534A); // "JSON"
-    for (const char c : text) {
-        glb.push_back(static_cast<std::byte>(c));
-    }
-    append_word(glb, static_cast<std::uint32_t>(binary.size()));
-    append_word(glb, 0x004E4942); // "BIN"
-    glb.insert(glb.end(), binary.begin(), binary.end());
-    return glb;
+    return glb::make<std::byte>(json.dump(), binary);
 }
 
 } // namespace vkbake::scenes

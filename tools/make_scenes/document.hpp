@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "base/gltf_element.hpp"
 #include "base/json.hpp"
 #include "make_scenes/paint.hpp"
 #include "make_scenes/solid.hpp"
@@ -55,7 +56,7 @@ public:
     [[nodiscard]] std::vector<std::byte> to_glb() const;
 
 private:
-    std::size_t add_view(const void* data, std::size_t size, int target);
+    std::size_t add_view(const void* data, std::size_t size, gltf::ViewTarget target);
     template<class T>
     std::size_t add_accessor(const std::vector<T>& values, const char* type, bool with_bounds);
     std::size_t add_indices(const Patch& patch);
