@@ -21,7 +21,8 @@ struct Atlas {
     std::vector<std::uint32_t> page;  ///< 1 a triangle: index in `pages`
     std::vector<std::uint32_t> chart; ///< 1 a triangle: charts are numbered through all pages
     std::uint32_t chart_count = 0;
-    double density = 0.0;           ///< texels per metre of what was placed (the least over the pages of layout `object`); 0 where all UVs stayed as they were
+    double density = 0.0; ///< texels per metre of what was placed (the least over the pages of layout `object`); 0
+                          ///< where all UVs stayed as they were
     std::vector<std::string> notes; ///< e.g. which object's UVs were kept or why they were not
 };
 

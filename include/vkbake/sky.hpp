@@ -33,9 +33,9 @@ struct CubeSky {
 
 struct Sky {
     std::variant<ConstantSky, ClearSky, EquirectangularSky, CubeSky> source = ClearSky{};
-    double rotation_degrees = 0.0; ///< the sky is turned about +Y by this angle, counter-clockwise seen from above
-    double intensity = 1.0;        ///< multiplies every radiance; ≥ 0, finite
-    std::string name = "clear";    ///< as it was asked for: for manifests
+    double rotation_degrees = 0.0;  ///< the sky is turned about +Y by this angle, counter-clockwise seen from above
+    double intensity = 1.0;         ///< multiplies every radiance; ≥ 0, finite
+    std::string name = "clear";     ///< as it was asked for: for manifests
     std::vector<std::string> notes; ///< what was changed while reading it, e.g. texels that were not finite
 };
 

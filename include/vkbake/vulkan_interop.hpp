@@ -18,8 +18,8 @@ struct VulkanHandles {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    /// The chain that vkCreateDevice was given: Vulkan cannot be asked what a device has enabled. Null: it is taken to have enabled
-    /// what the passes need. Read during adopt_device only.
+    /// The chain that vkCreateDevice was given: Vulkan cannot be asked what a device has enabled. Null: it is taken to
+    /// have enabled what the passes need. Read during adopt_device only.
     const VkPhysicalDeviceFeatures2* enabled_features = nullptr;
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr; ///< null: the loader that this library is linked to
 };

@@ -1,11 +1,10 @@
 #include "process.hpp"
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -14,6 +13,48 @@
 namespace vkbake::test {
 namespace {
 
+void redirect_output(const std::string& file) {
+    const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(opened, STDOUT_FILENO);
+    close(opened);
+}
+
+/// In the child; never returns.
+[[noreturn]] void become_vkbake(const std::vector<std::string>& arguments, const RunOptions& options) {
+    for (const auto& [name, value] : options.environment) {
+        setenv(name.c_str(), value.c_str(), 1);
+    }
+    std::vector<std::string> words{VKBAKE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) {
+        pointers.push_back(word.data());
+    }
+    pointers.push_back(nullptr);
+    if (chdir(options.directory.c_str()) == 0) {
+        execv(VKBAKE_PROGRAM, pointers.data());
+    }
+    _exit(127);
+}
+
+/// All that the child says on standard error, until it ends. It is interrupted when it says a certain thing and not
+/// after a time: how long it takes to get there is the machine's affair.
+std::string listen(int pipe_end, pid_t child, const std::string& interrupt_at) {
+    std::string said;
+    std::array<char, 4096> part{};
+    bool interrupted = interrupt_at.empty();
+    for (ssize_t count = 0; (count = read(pipe_end, part.data(), part.size())) > 0;) {
+        said.append(part.data(), static_cast<std::size_t>(count));
+        if (!interrupted && said.find(interrupt_at) != std::string::npos) {
+            kill(child, SIGINT);
+            interrupted = true;
+        }
+    }
+    return said;
+}
+
+} // namespace
+
 std::string contents(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
@@ -21,46 +62,30 @@ std::string contents(const std::filesystem::path& file) {
     return text.str();
 }
 
-void redirect(int descriptor, const std::string& file) {
-    const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    dup2(opened, descriptor);
-    close(opened);
-}
-
-} // namespace
-
 Outcome run_vkbake(const std::vector<std::string>& arguments, const RunOptions& options) {
-    const std::string base =
-        (std::filesystem::temp_directory_path() / ("vkbake-cli-" + std::to_string(getpid()))).string();
+    const std::string output =
+        (std::filesystem::temp_directory_path() / ("vkbake-cli-" + std::to_string(getpid()) + ".out")).string();
+    std::array<int, 2> error_pipe{};
+    if (pipe(error_pipe.data()) != 0) {
+        return {};
+    }
     const pid_t child = fork();
     if (child == 0) {
-        redirect(STDOUT_FILENO, base + ".out");
-        redirect(STDERR_FILENO, base + ".error");
-        for (const auto& [name, value] : options.environment) {
-            setenv(name.c_str(), value.c_str(), 1);
-        }
-        std::vector<std::string> words{VKBAKE_PROGRAM};
-        words.insert(words.end(), arguments.begin(), arguments.end());
-        std::vector<char*> pointers;
-        for (std::string& word : words) {
-            pointers.push_back(word.data());
-        }
-        pointers.push_back(nullptr);
-        if (chdir(options.directory.c_str()) == 0) {
-            execv(VKBAKE_PROGRAM, pointers.data());
-        }
-        _exit(127);
+        redirect_output(output);
+        dup2(error_pipe[1], STDERR_FILENO);
+        close(error_pipe[0]);
+        close(error_pipe[1]);
+        become_vkbake(arguments, options);
     }
-    if (options.interrupt_after) {
-        std::this_thread::sleep_for(*options.interrupt_after);
-        kill(child, SIGINT);
-    }
+    close(error_pipe[1]);
+    Outcome outcome;
+    outcome.error = listen(error_pipe[0], child, options.interrupt_at);
+    close(error_pipe[0]);
     int status = 0;
     waitpid(child, &status, 0);
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(base + ".out"),
-                    contents(base + ".error")};
-    std::filesystem::remove(base + ".out");
-    std::filesystem::remove(base + ".error");
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    outcome.out = contents(output);
+    std::filesystem::remove(output);
     return outcome;
 }
 

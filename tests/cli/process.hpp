@@ -1,8 +1,7 @@
 // Runs the program and catches what it says.
 #pragma once
 
-#include <chrono>
-#include <optional>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +17,11 @@ struct Outcome {
 struct RunOptions {
     std::string directory = ".";
     std::vector<std::pair<std::string, std::string>> environment; ///< added to this process's
-    std::optional<std::chrono::milliseconds> interrupt_after;     ///< send SIGINT then
+    std::string interrupt_at; ///< send SIGINT once standard error holds this; empty: never
 };
+
+/// The bytes of a file; none if it cannot be read.
+[[nodiscard]] std::string contents(const std::filesystem::path& file);
 
 [[nodiscard]] Outcome run_vkbake(const std::vector<std::string>& arguments, const RunOptions& options = {});
 

@@ -17,11 +17,7 @@
 namespace vkbake {
 namespace {
 
-Sky white_sky() {
-    Sky sky;
-    sky.source = ConstantSky{};
-    return sky;
-}
+using test::white_sky;
 
 std::vector<double> traced(const Surface& surface, const std::vector<test::SamplePoint>& points,
                            const Settings& settings) {

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <gtest/gtest.h>
 
+#include "amount.hpp"
 #include "base/random.hpp"
 #include "hand_made.hpp"
 #include "trace/tracer.hpp"
@@ -15,11 +16,7 @@
 namespace vkbake {
 namespace {
 
-Sky white_sky() {
-    Sky sky;
-    sky.source = ConstantSky{};
-    return sky;
-}
+using test::white_sky;
 
 /// Points all over every triangle: inside, on its edges, on its corners; off the exact place by up to 4 · 2⁻²⁴ an axis,
 /// as a geometry image's may be.
@@ -87,7 +84,7 @@ TEST(Enclosure, BoxesOfManyShapesAreBlackInside) {
         for (const Sampler sampler : {Sampler::cosine, Sampler::thesis}) {
             Settings settings;
             settings.sampler = sampler;
-            settings.rays = 128;
+            settings.rays = test::amount(128U, 32U);
             expect_black(surface, settings);
             expect_black(turned(surface, turn), settings);
         }

@@ -12,9 +12,13 @@
 #include <glm/vec3.hpp>
 
 #include "vkbake/geometry_image.hpp"
+#include "vkbake/sky.hpp"
 #include "vkbake/surface.hpp"
 
 namespace vkbake::test {
+
+/// Radiance 1 from everywhere.
+inline Sky white_sky() { return {.source = ConstantSky{}, .name = "white"}; }
 
 /// One texel of a hand-made geometry image.
 struct SamplePoint {

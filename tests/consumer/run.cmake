@@ -1,5 +1,7 @@
 # Installs the package to a temporary prefix, builds the consumer against it and runs it.
-# cmake -DBUILD=<build tree> -DSOURCE=<project> -DCONFIG=<type> -DGENERATOR=<generator> -DFLAGS=<flags> -P run.cmake
+# cmake -DBUILD=<build tree> -DSOURCE=<project> -DCONFIG=<type> -DGENERATOR=<generator> -DFLAGS=<flags>
+#     -DPROGRAMS=<those to build and run> -P run.cmake
+cmake_minimum_required(VERSION 3.25)
 set(work ${BUILD}/tests/consumer)
 file(REMOVE_RECURSE ${work})
 
@@ -13,8 +15,11 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${work}/prefix
     -DCMAKE_BUILD_TYPE=${CONFIG} "-DCMAKE_CXX_FLAGS=${FLAGS}")
-run(${CMAKE_COMMAND} --build ${work}/build)
+run(${CMAKE_COMMAND} --build ${work}/build --target ${PROGRAMS})
 run(${work}/build/own_device)
+if(NOT readme IN_LIST PROGRAMS)
+    return()
+endif()
 file(MAKE_DIRECTORY ${work}/run)
 run(${CMAKE_COMMAND} -E chdir ${work}/run ${work}/build/readme ${SOURCE}/scenes/test/plane.glb)
 foreach(file baked/manifest.json baked/plane.glb)

@@ -1,10 +1,14 @@
 // No ray leaves a closed mesh through an edge or a corner that triangles share.
 #include <gtest/gtest.h>
 
+#include "amount.hpp"
 #include "unit/bvh/ray_scenes.hpp"
 
 namespace vkbake::test {
 namespace {
+
+constexpr int many = amount(100000, 10000);
+constexpr int some = amount(10000, 2000);
 
 // A corner, or a point of an edge: what neighbours share.
 glm::vec3 shared_point(Random& random, const Triangles& mesh) {
@@ -40,22 +44,22 @@ Triangles cube(int n) {
 }
 
 TEST(RaysWatertight, NoneLeavesASphere) {
-    EXPECT_EQ(escapes(sphere(4, 1.0F, glm::vec3(0.0F)), Accelerator::bvh, 100000, 0.5F), 0);
-    EXPECT_EQ(escapes(sphere(5, 0.9F, {0.03F, 0.05F, -0.07F}), Accelerator::bvh, 100000, 0.5F), 0);
-    EXPECT_EQ(escapes(sphere(2, 1.0F, glm::vec3(0.0F)), Accelerator::brute, 10000, 0.5F), 0);
-    EXPECT_EQ(escapes(sphere(2, 1.0F, glm::vec3(0.0F)), Accelerator::clusters, 10000, 0.5F), 0);
+    EXPECT_EQ(escapes(sphere(4, 1.0F, glm::vec3(0.0F)), Accelerator::bvh, many, 0.5F), 0);
+    EXPECT_EQ(escapes(sphere(5, 0.9F, {0.03F, 0.05F, -0.07F}), Accelerator::bvh, many, 0.5F), 0);
+    EXPECT_EQ(escapes(sphere(2, 1.0F, glm::vec3(0.0F)), Accelerator::brute, some, 0.5F), 0);
+    EXPECT_EQ(escapes(sphere(2, 1.0F, glm::vec3(0.0F)), Accelerator::clusters, some, 0.5F), 0);
 }
 
 TEST(RaysWatertight, NoneLeavesAFanOfNeedles) {
-    EXPECT_EQ(escapes(needle_fan(300), Accelerator::bvh, 100000, 0.02F), 0);
-    EXPECT_EQ(escapes(needle_fan(100), Accelerator::clusters, 10000, 0.02F), 0);
+    EXPECT_EQ(escapes(needle_fan(300), Accelerator::bvh, many, 0.02F), 0);
+    EXPECT_EQ(escapes(needle_fan(100), Accelerator::clusters, some, 0.02F), 0);
 }
 
 TEST(RaysWatertight, NoneLeavesACubeThroughItsDiagonalsAndEdges) {
     // from 0 the coordinates are exact, so many edge functions are exactly 0
-    EXPECT_EQ(escapes(cube(8), Accelerator::bvh, 100000, 0.9F), 0);
-    EXPECT_EQ(escapes(cube(8), Accelerator::bvh, 10000, 0.0F), 0);
-    EXPECT_EQ(escapes(cube(2), Accelerator::clusters, 10000, 0.9F), 0);
+    EXPECT_EQ(escapes(cube(8), Accelerator::bvh, many, 0.9F), 0);
+    EXPECT_EQ(escapes(cube(8), Accelerator::bvh, some, 0.0F), 0);
+    EXPECT_EQ(escapes(cube(2), Accelerator::clusters, some, 0.9F), 0);
 }
 
 TEST(RaysWatertight, TinyAndFarAway) {
@@ -63,13 +67,13 @@ TEST(RaysWatertight, TinyAndFarAway) {
     for (glm::vec3& position : tiny) {
         position *= 0x1p-50F;
     }
-    EXPECT_EQ(escapes(make_triangles("tiny", std::move(tiny)), Accelerator::bvh, 100000, 0x1p-51F), 0);
+    EXPECT_EQ(escapes(make_triangles("tiny", std::move(tiny)), Accelerator::bvh, many, 0x1p-51F), 0);
 
     const Triangles far = sphere(4, 1.0F, glm::vec3(100.0F));
     const TriangleAccelerator accelerator = accelerate(far, Accelerator::bvh);
     Random random(32);
     int escaped = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < many; ++i) {
         const glm::vec3 origin = glm::vec3(100.0F) + random.point(0.5F);
         escaped += accelerator.occluded({origin, shared_point(random, far) - origin}) ? 0 : 1;
     }

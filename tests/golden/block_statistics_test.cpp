@@ -151,6 +151,8 @@ Estimate estimate(const std::vector<Triangle>& triangles, const Point& point, st
     return {mean, (squares / count - mean * mean) / (count - 1.0)};
 }
 
+std::size_t texel_at(int x, int y) { return static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x); }
+
 /// An estimate for each texel whose centre lies in a triangle.
 std::vector<std::optional<Estimate>> reference_map(const Scene& scene) {
     const std::vector<Triangle> triangles = triangles_of(scene.meshes[0].primitives[0]);
@@ -159,7 +161,7 @@ std::vector<std::optional<Estimate>> reference_map(const Scene& scene) {
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             if (const auto point = point_at(triangles, {(x + 0.5) / size, (y + 0.5) / size})) {
-                map[static_cast<std::size_t>(y * size + x)] = estimate(triangles, *point, generator);
+                map[texel_at(x, y)] = estimate(triangles, *point, generator);
             }
         }
     }
@@ -177,7 +179,7 @@ int wrong_blocks(const std::vector<std::optional<Estimate>>& reference, const Im
             bool missing = false;
             for (int y = top; y < top + block; ++y) {
                 for (int x = left; x < left + block; ++x) {
-                    if (const auto& expected = reference[static_cast<std::size_t>(y * size + x)]) {
+                    if (const auto& expected = reference[texel_at(x, y)]) {
                         missing = missing || image.coverage[image.index(x, y)] < 0.5F;
                         difference += glm::dvec3(image.texels[image.index(x, y)]) - expected->mean;
                         variance += 2.0 * expected->variance;

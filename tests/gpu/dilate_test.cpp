@@ -9,19 +9,15 @@
 
 #include <gtest/gtest.h>
 
+#include "device.hpp"
 #include "finish/dilate_reference.hpp"
 #include "same_bits.hpp"
-#include "vkbake/device.hpp"
 #include "vkbake/error.hpp"
 
 namespace {
 
 using vkbake::Image;
-
-vkbake::gpu::Context& context() {
-    static const vkbake::Device device = vkbake::open_device({.name = {}, .validation = true});
-    return device.context();
-}
+using vkbake::test::context;
 
 bool same_bits(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && vkbake::test::same_bits(a.texels, b.texels) &&

@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
-#include "vkbake/device.hpp"
+#include "device.hpp"
 #include "vkbake/error.hpp"
 
 namespace {
@@ -21,11 +21,7 @@ using vkbake::Image;
 using vkbake::PreviewImages;
 using vkbake::PreviewSettings;
 using vkbake::Scene;
-
-vkbake::gpu::Context& context() {
-    static const vkbake::Device device = vkbake::open_device({.name = {}, .validation = true});
-    return device.context();
-}
+using vkbake::test::context;
 
 vkbake::Camera camera_at_origin() {
     vkbake::Camera camera;
@@ -87,7 +83,7 @@ std::uint32_t add_material(Scene& scene, const glm::vec4& base_color, AlphaMode 
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-Image map_of(int width, std::vector<glm::vec3> values) {
+Image map_of(int width, const std::vector<glm::vec3>& values) {
     Image map{.width = width, .height = static_cast<int>(values.size()) / width, .texels = {}, .coverage = {}};
     for (const glm::vec3& value : values) {
         map.texels.emplace_back(value, 1.0F);
@@ -251,6 +247,7 @@ TEST(Preview, TilesJoinWithoutATrace) {
     Scene scene;
     add_quad(scene, add_material(scene, glm::vec4(1.0F)), 2.0, 0.8);
     std::vector<glm::vec3> values;
+    values.reserve(64);
     for (int i = 0; i < 64; ++i) {
         values.emplace_back(static_cast<float>(i) / 64.0F, 0.3F, 0.1F);
     }

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "device.hpp"
 #include "imageio/encode.hpp"
 #include "vkbake/vkbake.hpp"
 
@@ -16,11 +17,7 @@ namespace {
 
 using vkbake::Image;
 using vkbake::Scene;
-
-const vkbake::Device& device() {
-    static const vkbake::Device opened = vkbake::open_device({.name = {}, .validation = true});
-    return opened;
-}
+using vkbake::test::device;
 
 Image map_of(const glm::vec3& value) {
     return {.width = 1, .height = 1, .texels = {glm::vec4(value, 1.0F)}, .coverage = {}};

@@ -45,7 +45,8 @@ TEST(Readme, EveryPathItNamesExists) {
     const std::regex path("[`(]((?:src|docs|tools|tests|scenes)/[A-Za-z0-9_./-]+)");
     int found = 0;
     for (std::sregex_iterator match(readme.begin(), readme.end(), path), end; match != end; ++match, ++found) {
-        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VKBAKE_SOURCE_DIR) / (*match)[1].str())) << (*match)[1];
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VKBAKE_SOURCE_DIR) / (*match)[1].str()))
+            << (*match)[1];
     }
     EXPECT_GT(found, 5);
 }
