@@ -48,6 +48,9 @@ public:
         const auto& base = source.pbrMetallicRoughness.baseColorFactor;
         material.base_color = glm::vec4(glm::dvec4(base.at(0), base.at(1), base.at(2), base.at(3)));
         material.base_color_texture = texture_use(source.pbrMetallicRoughness.baseColorTexture);
+        if (const auto* const extension = find(source, "KHR_materials_pbrSpecularGlossiness")) {
+            set_diffuse(*extension, material); // where both are given the extension holds
+        }
         if (source.alphaMode == "MASK") {
             material.alpha_mode = AlphaMode::mask;
         } else if (source.alphaMode == "BLEND") {
@@ -105,20 +108,37 @@ private:
         return use;
     }
 
+    std::optional<TextureUse> texture_use(const tinygltf::Value& info) {
+        const int tex_coord = info.Has("texCoord") ? info.Get("texCoord").GetNumberAsInt() : 0;
+        auto use = texture_use(info.Get("index").GetNumberAsInt(), tex_coord);
+        if (use && info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform")) {
+            apply_transform(*use, info.Get("extensions").Get("KHR_texture_transform"));
+        }
+        return use;
+    }
+
+    void set_diffuse(const tinygltf::Value& extension, Material& material) {
+        material.base_color = glm::vec4(1.0F);
+        if (extension.Has("diffuseFactor")) {
+            const tinygltf::Value& factor = extension.Get("diffuseFactor");
+            for (int channel = 0; channel < 4; ++channel) {
+                material.base_color[channel] = static_cast<float>(factor.Get(channel).GetNumberAsDouble());
+            }
+        }
+        material.base_color_texture =
+            extension.Has("diffuseTexture") ? texture_use(extension.Get("diffuseTexture")) : std::nullopt;
+    }
+
     std::optional<LightMapUse> light_map(const tinygltf::Material& source) {
         const tinygltf::Value* const extension = find(source, "MOZ_lightmap");
         if (extension == nullptr) {
             return std::nullopt;
         }
-        const int tex_coord = extension->Has("texCoord") ? extension->Get("texCoord").GetNumberAsInt() : 0;
-        const auto texture = texture_use(extension->Get("index").GetNumberAsInt(), tex_coord);
+        const auto texture = texture_use(*extension);
         if (!texture) {
             return std::nullopt;
         }
         LightMapUse use{.texture = *texture, .intensity = number_or(*extension, "intensity", 1.0), .linear_file = {}};
-        if (extension->Has("extensions") && extension->Get("extensions").Has("KHR_texture_transform")) {
-            apply_transform(use.texture, extension->Get("extensions").Get("KHR_texture_transform"));
-        }
         if (source.extras.Has("vkbake") && source.extras.Get("vkbake").Has("lightMap")) {
             const tinygltf::Value& file = source.extras.Get("vkbake").Get("lightMap");
             use.linear_file = file.IsString() ? file.Get<std::string>() : std::string();

@@ -85,6 +85,10 @@ private:
         if (const auto strength = material.extension("KHR_materials_emissive_strength")) {
             (void)strength->number("emissiveStrength");
         }
+        if (const auto diffuse = material.extension("KHR_materials_pbrSpecularGlossiness")) {
+            (void)diffuse->numbers("diffuseFactor", 4);
+            check_texture_use(*diffuse, "diffuseTexture");
+        }
         if (const auto light_map = material.extension("MOZ_lightmap")) {
             check_texture_fields(*light_map);
             (void)light_map->number("intensity");

@@ -62,6 +62,24 @@ TEST(Materials, EveryFieldIsRead) {
     EXPECT_EQ(material.occlusion_texture->tex_coord, 1U);
 }
 
+TEST(Materials, DiffuseOfSpecularGlossinessIsTheBaseColour) {
+    DocumentBuilder builder = textured_document();
+    builder.json["extensionsRequired"] = {"KHR_materials_pbrSpecularGlossiness"};
+    builder.json["materials"] = Json::parse(R"([
+        {"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1]}, "extensions": {"KHR_materials_pbrSpecularGlossiness":
+            {"diffuseFactor": [0.1, 0.2, 0.3, 0.4], "diffuseTexture": {"index": 0, "texCoord": 1}}}},
+        {"extensions": {"KHR_materials_pbrSpecularGlossiness": {}}}])");
+    const Scene scene = builder.load();
+    EXPECT_EQ(scene.materials[0].base_color, glm::vec4(0.1F, 0.2F, 0.3F, 0.4F));
+    ASSERT_TRUE(scene.materials[0].base_color_texture);
+    EXPECT_EQ(scene.materials[0].base_color_texture->tex_coord, 1U);
+    EXPECT_EQ(scene.materials[1].base_color, glm::vec4(1.0F));
+    EXPECT_FALSE(scene.materials[1].base_color_texture);
+
+    builder.json["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseTexture"]["index"] = 9;
+    EXPECT_THROW((void)builder.load(), Error);
+}
+
 TEST(Materials, LightMapsOfABakedScene) {
     DocumentBuilder builder = textured_document();
     builder.json["extensionsUsed"] = {"MOZ_lightmap"};
