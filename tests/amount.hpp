@@ -4,8 +4,8 @@
 namespace vkbake::test {
 
 /// `full` in a plain build, `sanitized` where the address sanitizer makes all of it some twenty times slower. Only for
-/// numbers of rays, texels and triangles: what is true of many is shown by the plain build, which runs beside it; faults
-/// of memory and of arithmetic, which sanitizers look for, show with few.
+/// numbers of rays, texels and triangles: what is true of many is shown by the plain build, which runs beside it;
+/// faults of memory and of arithmetic, which sanitizers look for, show with few.
 template<typename Number>
 constexpr Number amount(Number full, [[maybe_unused]] Number sanitized) {
 #ifdef __SANITIZE_ADDRESS__

@@ -27,6 +27,7 @@ void redirect_output(const std::string& file) {
     std::vector<std::string> words{VKBAKE_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words) {
         pointers.push_back(word.data());
     }

@@ -134,7 +134,7 @@ void add_instance(Scene& scene, const glm::dvec3& translation) {
 
 void add_rough_ground(Primitive& primitive, int n, float height) {
     const auto corner = [&](int i, int j) {
-        const std::uint64_t bits = mix64(static_cast<std::uint64_t>(i * 1000 + j));
+        const std::uint64_t bits = mix64(static_cast<std::uint64_t>(i) * 1000 + static_cast<std::uint64_t>(j));
         return glm::vec3(static_cast<float>(i), height * static_cast<float>(bits % 1024) / 1024.0F,
                          static_cast<float>(j));
     };

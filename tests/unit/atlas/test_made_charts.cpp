@@ -54,7 +54,8 @@ TEST(MadeCharts, a_cube_gives_six_squares_of_the_greatest_density) {
             ASSERT_EQ(atlas.pages.size(), 1U);
             EXPECT_EQ(atlas.pages[0].name, "lightmap");
             EXPECT_EQ(atlas.chart_count, 6U);
-            const double side = (size + gutter) / 3 - gutter - 0.5; // texels for 2 m
+            const int square = (size + gutter) / 3 - gutter;
+            const double side = square - 0.5; // texels for 2 m
             if (side >= 1.0) {
                 EXPECT_LE(atlas.density, side / 2.0);
                 EXPECT_GT(atlas.density, side / 2.0 * (1.0 - 0x1p-11)) << size << ", " << gutter;
@@ -284,7 +285,8 @@ Scene tiles(int count) {
     Scene scene = empty_scene();
     for (int i = 0; i < count; ++i) {
         const float x = 2.0F * static_cast<float>(i % 64);
-        const float y = 2.0F * static_cast<float>(i / 64);
+        const int row = i / 64;
+        const float y = 2.0F * static_cast<float>(row);
         add_quad(scene.meshes[0].primitives[0], {x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0});
     }
     return scene;

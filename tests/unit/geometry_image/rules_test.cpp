@@ -162,7 +162,8 @@ TEST_P(Rules, EveryClosedSquareThatATriangleMeetsIsCoveredAndNoOther) {
 }
 
 TEST_P(Rules, WhoHoldsTheCentreWinsThenTheNearestThenTheCanonicalOrder) {
-    const long double h = m_grid.units / 2;
+    const auto half = m_grid.units / 2;
+    const auto h = static_cast<long double>(half);
     for_each_texel([&](int i, int j, std::uint32_t winner) {
         if (winner == GeometryImage::empty) {
             return;

@@ -38,6 +38,7 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
 
+    // NOLINTNEXTLINE(modernize-use-nodiscard): called for what it does
     std::filesystem::path write(const std::string& name, std::string_view text) const {
         std::filesystem::create_directories((m_path / name).parent_path());
         std::ofstream stream(m_path / name, std::ios::binary);
@@ -158,7 +159,7 @@ std::string refusal(const Action& action) {
         action();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-        const std::string message = error.what();
+        std::string message = error.what();
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
         EXPECT_NE(message.find("; "), std::string::npos) << message;
         return message;

@@ -71,7 +71,7 @@ TEST(Geometry, InterleavedVertices) {
     DocumentBuilder builder;
     const std::vector<float> data = {0, 0, 0, /*normal*/ 0, 0, 1, 1, 0, 0, 0, 0, 2, 0, 1, 0, 0, 0, 3};
     const std::size_t view = builder.add_view(raw(data), 24);
-    for (const std::size_t offset : {0, 12}) {
+    for (const std::size_t offset : {0U, 12U}) {
         builder.json["accessors"].push_back(
             {{"bufferView", view}, {"byteOffset", offset}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
     }

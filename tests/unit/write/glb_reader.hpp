@@ -19,6 +19,7 @@ inline std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what the JSON library calls in its noexcept moves throws nothing
 struct Glb {
     Json json;
     std::vector<std::uint8_t> binary;
