@@ -3,7 +3,7 @@
 // For each object: the thesis's own time, ours with its method (flat clusters, its sampler, its triangle test, one
 // thread), with brute force (one thread), and by default (all threads); and the relative root-mean-square error of the
 // thesis's method and of the default against a converged reference. Brute force and the reference take a sample of the
-// texels: brute force's time is that of its rays, scaled to all of them.
+// texels, so does its method where the map is large: their times are those of their rays, scaled to all of them.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -50,6 +50,7 @@ constexpr Row rows[] = {
 constexpr std::size_t reference_texels = 512;
 constexpr std::uint32_t reference_rays = 65'536;
 constexpr std::size_t brute_texels = 512;
+constexpr std::size_t thesis_texels = 16'384;
 
 using Clock = std::chrono::steady_clock;
 
@@ -134,27 +135,31 @@ Timed timed_bake(const Scene& scene, const Sky& sky, const Settings& settings, c
     return timed;
 }
 
-/// What the sampled texels' rays take by brute force on one thread, scaled to all texels.
-double brute_seconds(const Surface& surface, const Sky& sky, int size, const std::vector<GeometryImage>& geometry) {
-    Settings settings = thesis_settings(size);
-    settings.accelerator = Accelerator::brute;
+struct Sampled {
+    std::vector<LightMap> maps; ///< a page each
+    double seconds = 0.0;       ///< scaled to all texels
+};
+
+/// Traces a sample of the texels, or all where there are no more than `count`.
+Sampled trace_sample(const Surface& surface, const Sky& sky, const Settings& settings,
+                     const std::vector<GeometryImage>& geometry, std::size_t count) {
     const Tracer tracer(surface, sky, settings);
-    double seconds = 0.0;
+    Sampled sampled;
     for (const GeometryImage& image : geometry) {
         const auto covered =
             static_cast<double>(std::count_if(image.triangle.begin(), image.triangle.end(),
                                               [](std::uint32_t triangle) { return triangle != GeometryImage::empty; }));
+        const GeometryImage sample = sample_texels(image, count / geometry.size());
         const auto start = Clock::now();
-        const LightMap map = tracer.trace(sample_texels(image, brute_texels / geometry.size()));
-        seconds += seconds_since(start) * covered /
-                   static_cast<double>(std::max<std::uint64_t>(map.statistics.covered_texels, 1));
+        sampled.maps.push_back(tracer.trace(sample));
+        const std::uint64_t traced = std::max<std::uint64_t>(sampled.maps.back().statistics.covered_texels, 1);
+        sampled.seconds += seconds_since(start) * covered / static_cast<double>(traced);
     }
-    return seconds;
+    return sampled;
 }
 
 Figures measure(const Row& row, const std::filesystem::path& scenes, const Sky& sky, const Device& device) {
     const Scene scene = load_scene(scenes / row.file);
-    const Timed thesis = timed_bake(scene, sky, thesis_settings(row.size), device);
     const Timed ours = timed_bake(scene, sky, default_settings(row.size), device);
     const Surface& surface = ours.bake.surface;
 
@@ -164,9 +169,12 @@ Figures measure(const Row& row, const std::filesystem::path& scenes, const Sky& 
     }
     Figures figures;
     figures.triangles = surface.triangle_count();
+    const Sampled thesis = trace_sample(surface, sky, thesis_settings(row.size), geometry, thesis_texels);
+    Settings brute = thesis_settings(row.size);
+    brute.accelerator = Accelerator::brute;
     figures.thesis_seconds = thesis.seconds;
     figures.default_seconds = ours.seconds;
-    figures.brute_seconds = brute_seconds(surface, sky, row.size, geometry);
+    figures.brute_seconds = trace_sample(surface, sky, brute, geometry, brute_texels).seconds;
 
     Settings converged = default_settings(row.size);
     converged.rays = reference_rays;
@@ -176,7 +184,7 @@ Figures measure(const Row& row, const std::filesystem::path& scenes, const Sky& 
     ErrorSum default_error;
     for (std::size_t page = 0; page < geometry.size(); ++page) {
         const LightMap reference = tracer.trace(sample_texels(geometry[page], reference_texels / geometry.size()));
-        thesis_error.add(thesis.bake.light_maps[page].image, reference.image);
+        thesis_error.add(thesis.maps[page].image, reference.image); // the reference's texels are among its own
         default_error.add(ours.bake.light_maps[page].image, reference.image);
     }
     figures.thesis_error = thesis_error.relative();
@@ -187,8 +195,9 @@ Figures measure(const Row& row, const std::filesystem::path& scenes, const Sky& 
 int print_table(const std::filesystem::path& scenes) {
     const Device device = open_device();
     const Sky sky = load_sky("clear");
-    fmt::print("vkbake {}, {}; times in seconds, surface to dilation; thesis: on an i3-9100F with a GTX 1050 Ti\n",
-               version(), device.name());
+    fmt::print("vkbake {}, {}; times in seconds, by default from surface to dilation; thesis: on an i3-9100F with a "
+               "GTX 1050 Ti\nits method and brute force: tracing, of {} and {} texels, scaled to all\n",
+               version(), device.name(), thesis_texels, brute_texels);
     fmt::print("errors: relative root-mean-square against {} rays a texel on {} texels\n\n", reference_rays,
                reference_texels);
     fmt::print("| object | triangles | map | thesis (its machine) | its method, 1 thread | brute, 1 thread | default | "
