@@ -17,6 +17,7 @@ if(VKBAKE_SANITIZE)
     target_compile_options(vkbake_options INTERFACE
         -fsanitize=${VKBAKE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(vkbake_options INTERFACE -fsanitize=${VKBAKE_SANITIZE})
+    target_compile_definitions(vkbake_options INTERFACE VKBAKE_SANITIZED)
     # With sanitizers GCC 12 takes the value of an empty std::optional for one that is used (GCC bug 80635).
     target_compile_options(vkbake_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()

@@ -5,12 +5,11 @@
 #include <cstring>
 #include <utility>
 
+#include "base/simd_targets.hpp"
 #include "bvh/block_caster.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bvh/hierarchy_caster.cpp"
-// Vectors of a length that is not known when compiling cannot be members of a struct; what has SSSE3 alone is rare.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <span>
 
+#include "base/simd_targets.hpp"
+
 #ifndef VKBAKE_TRACE_SKY_SUM
 #define VKBAKE_TRACE_SKY_SUM // read once for each target; this is for all
 namespace vkbake {
@@ -20,8 +22,6 @@ struct SkyRays {
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/sky_sum.cpp"
-// Vectors of a length that is not known when compiling cannot be members of a struct.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
