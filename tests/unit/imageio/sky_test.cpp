@@ -145,10 +145,10 @@ TEST(Sky, EquirectangularStaysAsItIs) {
 TEST(Sky, ValuesThatAreNoRadianceAreReplacedAndCounted) {
     const TemporaryFolder folder;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const float infinite = std::numeric_limits<float>::infinity();
+    const float infinity = std::numeric_limits<float>::infinity();
     Image image = filled(4, 2, {1.0F, 2.0F, 3.0F, 1.0F});
-    image.texels[0] = {nan, -1.0F, infinite, 1.0F};
-    image.texels[1] = {-infinite, 1e30F, infinite, nan};
+    image.texels[0] = {nan, -1.0F, infinity, 1.0F};
+    image.texels[1] = {-infinity, 1e30F, infinity, nan};
     write_image(folder / "sky.exr", image);
     const Sky sky = load_sky((folder / "sky.exr").string());
     const Image& read = std::get<EquirectangularSky>(sky.source).image;
@@ -158,7 +158,7 @@ TEST(Sky, ValuesThatAreNoRadianceAreReplacedAndCounted) {
     ASSERT_EQ(sky.notes.size(), 3U);
     EXPECT_NE(sky.notes[0].find("1 values were NaN"), std::string::npos) << sky.notes[0];
     EXPECT_NE(sky.notes[1].find("2 values were negative"), std::string::npos) << sky.notes[1];
-    EXPECT_NE(sky.notes[2].find("2 values were infinite"), std::string::npos) << sky.notes[2];
+    EXPECT_NE(sky.notes[2].find("2 values were infinity"), std::string::npos) << sky.notes[2];
 }
 
 TEST(Sky, ColoursAndTheBuiltInSky) {

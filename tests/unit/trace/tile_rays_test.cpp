@@ -27,12 +27,12 @@ namespace {
 
 constexpr float no_limit = std::numeric_limits<float>::infinity();
 
-float number(std::uint64_t key) {
+float number_of(std::uint64_t key) {
     return static_cast<float>(static_cast<double>(mix64(key) >> 11U) * 0x1p-53 * 2.0 - 1.0);
 }
 
 glm::vec3 unit(std::uint64_t key) {
-    return glm::normalize(glm::vec3(number(3 * key), number(3 * key + 1), number(3 * key + 2)));
+    return glm::normalize(glm::vec3(number_of(3 * key), number_of(3 * key + 1), number_of(3 * key + 2)));
 }
 
 /// `count` texels that face every way, shaded up to some 30° off their triangle.
