@@ -158,7 +158,7 @@ TEST(Sky, ValuesThatAreNoRadianceAreReplacedAndCounted) {
     ASSERT_EQ(sky.notes.size(), 3U);
     EXPECT_NE(sky.notes[0].find("1 values were NaN"), std::string::npos) << sky.notes[0];
     EXPECT_NE(sky.notes[1].find("2 values were negative"), std::string::npos) << sky.notes[1];
-    EXPECT_NE(sky.notes[2].find("2 values were infinity"), std::string::npos) << sky.notes[2];
+    EXPECT_NE(sky.notes[2].find("2 values were infinite"), std::string::npos) << sky.notes[2];
 }
 
 TEST(Sky, ColoursAndTheBuiltInSky) {
