@@ -7,7 +7,7 @@ namespace vkbake::test {
 /// numbers of rays, texels and triangles: what is true of many is shown by the plain build, which runs beside it;
 /// faults of memory and of arithmetic, which sanitizers look for, show with few.
 template<typename Number>
-constexpr Number amount(Number full, [[maybe_unused]] Number sanitized) {
+constexpr Number amount([[maybe_unused]] Number full, [[maybe_unused]] Number sanitized) {
 #ifdef __SANITIZE_ADDRESS__
     return sanitized;
 #else
