@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/simd_targets.hpp"
+#include "bvh/each_ray.hpp"
 #include "bvh/triangle_test.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -54,9 +55,10 @@ BlockedRays blocked_rays(const Hierarchy& hierarchy, const RayBlock& block, cons
     return blocked;
 }
 
-// What waits in a queue has been put there by at most one batch for each level of the hierarchy: a batch takes the
-// entries from the top, and what it puts back lies deeper than the deepest entry that it took from. Each puts back at
-// most ray_batch · node_width; under them lies what the beams have put there before a batch was full.
+// What waits in the queue has been put there by at most one batch for each level of the hierarchy: a batch takes
+// entries from the top and puts their children in their place, so what lies on the rest of an older batch has fewer
+// levels under it than that. Each puts back at most ray_batch · node_width; below all lies what the beams have put
+// there.
 std::size_t queue_capacity(const Hierarchy& hierarchy) {
     return (hierarchy.depth + 1) * ray_batch * node_width + ray_batch + RayBlock::rays + node_width;
 }

@@ -19,7 +19,6 @@ struct BlockRays {
 };
 
 // A ray's course: a bit for each negative component of its direction, then the axis of the largest one.
-constexpr std::uint32_t course_signs = 7;
 constexpr unsigned course_axis_shift = 3;
 
 HWY_INLINE void store_course(const Row* direction, const RowMask& along_x, const RowMask& along_y,

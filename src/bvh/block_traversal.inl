@@ -352,19 +352,11 @@ private:
         unsigned doubt = test_corners(rays, corners).doubt.bits() & triangles_but(leaf, child, ray);
         for (; doubt != 0; doubt &= doubt - 1) {
             const auto triangle = static_cast<std::size_t>(std::countr_zero(doubt));
-            if (test_watertight(sheared_ray(ray / 16, ray % 16), triangle_in(leaf, triangle)).hit) {
+            if (test_watertight(ShearedRay(ray_of(m_block, ray / 16, ray % 16)), triangle_in(leaf, triangle)).hit) {
                 return true;
             }
         }
         return false;
-    }
-
-    [[nodiscard]] ShearedRay sheared_ray(std::size_t s, std::size_t lane) const {
-        const auto& [x, y, z] = m_block.direction[s];
-        return ShearedRay({{m_block.origin[0][lane], m_block.origin[1][lane], m_block.origin[2][lane]},
-                           {x[lane], y[lane], z[lane]},
-                           m_block.max_distance,
-                           no_triangle});
     }
 
     const Hierarchy& m_hierarchy;

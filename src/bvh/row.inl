@@ -88,7 +88,8 @@ HWY_INLINE Row copy_sign(const Row& magnitude, const Row& sign) {
     return each_part([&](std::size_t p) HWY_ATTR { return hn::CopySign(magnitude.part[p], sign.part[p]); });
 }
 
-/// a · b − c, rounded once where the machine can, else twice: for boxes and beams alone, whose pads cover either.
+/// a · b − c, rounded once where the machine can, else twice: for boxes and beams, whose pads cover either, and where
+/// the product is exact.
 HWY_INLINE Row multiply_subtract(const Row& a, const Row& b, const Row& c) {
     return each_part([&](std::size_t p) HWY_ATTR { return hn::MulSub(a.part[p], b.part[p], c.part[p]); });
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/random.hpp"
+#include "bvh/each_ray.hpp"
 
 namespace vkbake {
 
@@ -15,10 +16,6 @@ std::uint64_t ray_count(const BlockedRays& rays) {
         count += std::popcount(bits);
     }
     return static_cast<std::uint64_t>(count);
-}
-
-glm::vec3 in_lane(const std::array<RayBlock::LaneRow, 3>& rows, std::size_t lane) {
-    return {rows[0][lane], rows[1][lane], rows[2][lane]};
 }
 
 } // namespace
@@ -62,9 +59,7 @@ void TileTracer::probe(std::size_t number, const RayBlock& block, const BlockedR
         if (m_probes[lane] / RayBlock::strata != number || ((blocked[stratum] >> lane) & 1U) == 0) {
             continue;
         }
-        const std::optional<Hit> hit =
-            m_accelerator->nearest({in_lane(block.origin, lane), in_lane(block.direction[stratum], lane),
-                                    block.max_distance, block.ignored_triangle[lane]});
+        const std::optional<Hit> hit = m_accelerator->nearest(ray_of(block, stratum, lane));
         if (hit) {
             ++m_counts.probed_hits;
             m_counts.back_side_hits += hit->back_side ? 1 : 0;

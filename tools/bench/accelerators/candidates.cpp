@@ -1,11 +1,9 @@
 #include "bench/accelerators/candidates.hpp"
 
-#include <bit>
-
 #include "bench/accelerators/octree.hpp"
 #include "bench/accelerators/uniform_grid.hpp"
 #include "bench/common/our_kernels.hpp"
-#include "bvh/accelerator.hpp"
+#include "bvh/each_ray.hpp"
 #include "bvh/triangle_list.hpp"
 
 namespace vkbake::bench {
@@ -39,55 +37,26 @@ struct Numbering {
     std::vector<std::uint32_t> ranks; ///< by the triangle's number
 };
 
-class AskerContender final : public Contender {
+class AskerContender final : public BlockByBlock {
 public:
     AskerContender(const RayAsker& asker, const Numbering& numbering, const RaySet& rays)
-        : m_asker(&asker), m_numbering(&numbering), m_rays(&rays), m_answers(rays.blocks.size()) {}
-
+        : BlockByBlock(rays), m_asker(&asker), m_numbering(&numbering) {}
     [[nodiscard]] std::string description() const override { return "single rays"; }
-    [[nodiscard]] const RaySet& rays() const override { return *m_rays; }
-    [[nodiscard]] Work ask() override {
-        return [this](std::size_t tile) {
-            for (std::size_t b = tile * m_rays->blocks_a_tile; b < (tile + 1) * m_rays->blocks_a_tile; ++b) {
-                m_answers[b] = answer(m_rays->blocks[b]);
-            }
-        };
-    }
-    [[nodiscard]] Work make_and_ask() override {
-        return [this, maker = std::make_shared<RayMaker>(*m_rays->source)](std::size_t tile) {
-            maker->begin(m_rays->tiles[tile]);
-            for (std::size_t b = 0; b < m_rays->blocks_a_tile; ++b) {
-                m_answers[tile * m_rays->blocks_a_tile + b] = answer(maker->make(b));
-            }
-        };
-    }
-    [[nodiscard]] std::vector<BlockedRays> answers() override { return m_answers; }
 
 private:
-    [[nodiscard]] BlockedRays answer(const RayBlock& block) const {
-        BlockedRays blocked{};
-        for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
-            const auto& [x, y, z] = block.direction[stratum];
-            unsigned bits = 0;
-            for (unsigned left = block.active[stratum]; left != 0; left &= left - 1) {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-                PreparedRay ray({{block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]},
-                                 {x[lane], y[lane], z[lane]},
-                                 block.max_distance},
-                                m_numbering->bounds);
-                const std::uint32_t ignored = block.ignored_triangle[lane];
-                ray.ignored_rank = ignored == no_triangle ? no_triangle : m_numbering->ranks[ignored];
-                bits |= ray.valid && m_asker->occluded(ray) ? 1U << lane : 0U;
-            }
-            blocked[stratum] = static_cast<RayBlock::LaneBits>(bits);
-        }
-        return blocked;
+    [[nodiscard]] std::function<BlockedRays(const RayBlock&)> make_answer() const override {
+        return [asker = m_asker, numbering = m_numbering](const RayBlock& block) {
+            return ask_one_by_one(block, [&](const Ray& ray, std::size_t /*lane*/) {
+                PreparedRay prepared(ray, numbering->bounds);
+                prepared.ignored_rank =
+                    ray.ignored_triangle == no_triangle ? no_triangle : numbering->ranks[ray.ignored_triangle];
+                return prepared.valid && asker->occluded(prepared);
+            });
+        };
     }
 
     const RayAsker* m_asker;      ///< never null
     const Numbering* m_numbering; ///< never null
-    const RaySet* m_rays;         ///< never null
-    std::vector<BlockedRays> m_answers;
 };
 
 /// A grid or an octree.

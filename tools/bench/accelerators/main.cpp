@@ -2,7 +2,6 @@
 // it answers on one thread; and that all answer alike. Writes the tables in Markdown.
 #include <chrono>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +11,7 @@
 #include "bench/common/affordable.hpp"
 #include "bench/common/machine.hpp"
 #include "bench/common/measure.hpp"
+#include "bench/common/program.hpp"
 #include "vkbake/error.hpp"
 
 namespace {
@@ -171,13 +171,5 @@ int run(int argument_count, char** arguments) {
 } // namespace
 
 int main(int argument_count, char** arguments) {
-    try {
-        return run(argument_count, arguments);
-    } catch (const Error& error) {
-        fmt::print(stderr, "vkbake_bench_accelerators: {}\n", error.what());
-        return static_cast<int>(error.kind());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "vkbake_bench_accelerators: {}\n", error.what());
-        return 1;
-    }
+    return run_program("vkbake_bench_accelerators", [&] { return run(argument_count, arguments); });
 }

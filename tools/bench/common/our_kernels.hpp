@@ -1,43 +1,56 @@
 // Our accelerators as contenders.
 #pragma once
 
+#include <functional>
+
 #include "bench/common/contender.hpp"
 #include "bvh/accelerator.hpp"
 
 namespace vkbake::bench {
 
-/// Asks whole blocks. What it is made from must outlive it.
-class BlockKernel final : public Contender {
+/// Asks block after block. The rays must outlive it.
+class BlockByBlock : public Contender {
 public:
-    BlockKernel(const TriangleAccelerator& accelerator, const RaySet& rays);
+    explicit BlockByBlock(const RaySet& rays) : m_rays(&rays), m_answers(rays.blocks.size()) {}
 
-    [[nodiscard]] std::string description() const override { return "blocks"; }
     [[nodiscard]] const RaySet& rays() const override { return *m_rays; }
     [[nodiscard]] Work ask() override;
     [[nodiscard]] Work make_and_ask() override;
     [[nodiscard]] std::vector<BlockedRays> answers() override { return m_answers; }
 
 private:
-    const TriangleAccelerator* m_accelerator; ///< never null
-    const RaySet* m_rays;                     ///< never null
+    using Answer = std::function<BlockedRays(const RayBlock&)>;
+    /// Gives a block's answers; for one thread, and owns what that needs.
+    [[nodiscard]] virtual Answer make_answer() const = 0;
+
+    const RaySet* m_rays; ///< never null
     std::vector<BlockedRays> m_answers;
 };
 
-/// Asks one ray after the other. What it is made from must outlive it.
-class SingleRayKernel final : public Contender {
+/// Asks whole blocks. The accelerator must outlive it.
+class BlockKernel final : public BlockByBlock {
 public:
-    SingleRayKernel(const TriangleAccelerator& accelerator, const RaySet& rays);
-
-    [[nodiscard]] std::string description() const override { return "single rays"; }
-    [[nodiscard]] const RaySet& rays() const override { return *m_rays; }
-    [[nodiscard]] Work ask() override;
-    [[nodiscard]] Work make_and_ask() override;
-    [[nodiscard]] std::vector<BlockedRays> answers() override { return m_answers; }
+    BlockKernel(const TriangleAccelerator& accelerator, const RaySet& rays)
+        : BlockByBlock(rays), m_accelerator(&accelerator) {}
+    [[nodiscard]] std::string description() const override { return "blocks"; }
 
 private:
+    [[nodiscard]] std::function<BlockedRays(const RayBlock&)> make_answer() const override;
+
     const TriangleAccelerator* m_accelerator; ///< never null
-    const RaySet* m_rays;                     ///< never null
-    std::vector<BlockedRays> m_answers;
+};
+
+/// Asks one ray after the other. The accelerator must outlive it.
+class SingleRayKernel final : public BlockByBlock {
+public:
+    SingleRayKernel(const TriangleAccelerator& accelerator, const RaySet& rays)
+        : BlockByBlock(rays), m_accelerator(&accelerator) {}
+    [[nodiscard]] std::string description() const override { return "single rays"; }
+
+private:
+    [[nodiscard]] std::function<BlockedRays(const RayBlock&)> make_answer() const override;
+
+    const TriangleAccelerator* m_accelerator; ///< never null
 };
 
 } // namespace vkbake::bench

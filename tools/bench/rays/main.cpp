@@ -1,11 +1,11 @@
 // The benchmark of occlusion rays: loads a scene as a bake does, makes its tiles and rays, and has them answered by
 // Embree in its best ways, by our kernels and by the thesis's clusters. See --help.
-#include <exception>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include "bench/common/machine.hpp"
+#include "bench/common/program.hpp"
 #include "bench/rays/report.hpp"
 #include "vkbake/error.hpp"
 
@@ -26,26 +26,22 @@ void write(const std::filesystem::path& file, const Json& json) {
     }
 }
 
+int run(int argument_count, char** arguments) {
+    const std::optional<Options> options = parse_options(argument_count, arguments);
+    if (!options) {
+        return 0;
+    }
+    const Json machine = describe_machine(); // before there is any load of our own
+    const Outcome outcome = run_contest(*options);
+    print_outcome(*options, outcome, machine);
+    if (!options->json.empty()) {
+        write(options->json, to_json(*options, outcome, machine));
+    }
+    return 0;
+}
+
 } // namespace
 
 int main(int argument_count, char** arguments) {
-    try {
-        const std::optional<Options> options = parse_options(argument_count, arguments);
-        if (!options) {
-            return 0;
-        }
-        const Json machine = describe_machine(); // before there is any load of our own
-        const Outcome outcome = run_contest(*options);
-        print_outcome(*options, outcome, machine);
-        if (!options->json.empty()) {
-            write(options->json, to_json(*options, outcome, machine));
-        }
-    } catch (const Error& error) {
-        fmt::print(stderr, "vkbake_bench_rays: {}\n", error.what());
-        return static_cast<int>(error.kind());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "vkbake_bench_rays: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    return run_program("vkbake_bench_rays", [&] { return run(argument_count, arguments); });
 }

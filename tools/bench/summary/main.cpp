@@ -2,13 +2,13 @@
 //
 //     vkbake_bench_summary RESULT.json… [--plot FILE.svg --family forest-]
 #include <cmath>
-#include <exception>
 #include <fstream>
 #include <functional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/common/program.hpp"
 #include "bench/summary/results.hpp"
 #include "bench/summary/scaling_plot.hpp"
 #include "vkbake/error.hpp"
@@ -146,13 +146,5 @@ int run(int argument_count, char** arguments) {
 } // namespace
 
 int main(int argument_count, char** arguments) {
-    try {
-        return run(argument_count, arguments);
-    } catch (const Error& error) {
-        fmt::print(stderr, "vkbake_bench_summary: {}\n", error.what());
-        return static_cast<int>(error.kind());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "vkbake_bench_summary: {}\n", error.what());
-        return 1;
-    }
+    return run_program("vkbake_bench_summary", [&] { return run(argument_count, arguments); });
 }
