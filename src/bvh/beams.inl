@@ -65,6 +65,28 @@ HWY_INLINE bool choose_axes(const RayBlock& block, const BlockRays& rays, Beams&
     return found;
 }
 
+/// Where the rays that are alive start: along u or v, and along w.
+struct Origins {
+    Row across, along;
+    RowMask lanes;
+
+    HWY_INLINE float greatest_offset(float slope) const {
+        const Row offset = negated_multiply_add(fill(slope), along, across);
+        return greatest_lane(select(lanes, offset, fill(-std::numeric_limits<float>::infinity())));
+    }
+    HWY_INLINE float least_offset(float slope) const {
+        const Row offset = negated_multiply_add(fill(slope), along, across);
+        return least_lane(select(lanes, offset, fill(std::numeric_limits<float>::infinity())));
+    }
+};
+
+/// Offsets for many slopes from those for two. As a function of the slope an upper plane's offset is the greatest of
+/// linear ones, so it lies below its chord, and a lower plane's above: bounds at a sixteenth of the work.
+HWY_INLINE Row chord(const Row& slope, float first, float first_offset, float last, float last_offset) {
+    const float rise = last > first ? (last_offset - first_offset) / (last - first) : 0.0F;
+    return multiply_add(slope - fill(first), fill(rise), fill(first_offset));
+}
+
 /// Along u or v, whose origins are `from`; `start` are the origins along w.
 HWY_INLINE void make_planes(const RayBlock& block, const BlockRays& rays, const Beams& beams, std::size_t axis,
                             const Row& start, BeamPlane& upper, BeamPlane& lower, BlockBeam::Plane& block_upper,
@@ -83,27 +105,26 @@ HWY_INLINE void make_planes(const RayBlock& block, const BlockRays& rays, const 
     block_upper.slope = greatest_lane(upper.slope);
     block_lower.slope = least_lane(lower.slope);
 
-    const Row from = load(block.origin[axis]);
-    alignas(64) RayBlock::LaneRow upper_slopes;
-    alignas(64) RayBlock::LaneRow lower_slopes;
-    store(upper.slope, upper_slopes);
-    store(lower.slope, lower_slopes);
-    unsigned any_alive = 0;
+    unsigned lanes = 0;
+    unsigned strata = 0;
     for (std::size_t s = 0; s < RayBlock::strata; ++s) {
-        any_alive |= rays.alive[s];
-        store(alive_or(rays, s, negated_multiply_add(fill(upper_slopes[s]), start, from), -infinity), greatest[s]);
-        store(alive_or(rays, s, negated_multiply_add(fill(lower_slopes[s]), start, from), infinity), least[s]);
+        lanes |= rays.alive[s];
+        strata |= rays.alive[s] != 0 ? 1U << s : 0U;
     }
-    const Row pad = fill(2.0F * rays.pad);
-    const auto widening = [&](const Row& slope) HWY_ATTR { return multiply_add(pad, abs(slope), pad); };
-    upper.offset = greatest_of_rows(greatest) + widening(upper.slope);
-    lower.offset = least_of_rows(least) - widening(lower.slope);
-
-    const RowMask lanes = mask_from_bits(any_alive);
-    const Row block_high = negated_multiply_add(fill(block_upper.slope), start, from);
-    const Row block_low = negated_multiply_add(fill(block_lower.slope), start, from);
-    block_upper.offset = greatest_lane(select(lanes, block_high, fill(-infinity)) + widening(fill(block_upper.slope)));
-    block_lower.offset = least_lane(select(lanes, block_low, fill(infinity)) - widening(fill(block_lower.slope)));
+    const Origins origins{load(block.origin[axis]), start, mask_from_bits(lanes)};
+    const RowMask used = mask_from_bits(strata);
+    const float pad = 2.0F * rays.pad;
+    const float least_upper = least_lane(select(used, upper.slope, fill(infinity)));
+    const float greatest_lower = greatest_lane(select(used, lower.slope, fill(-infinity)));
+    const float high = origins.greatest_offset(block_upper.slope);
+    const float low = origins.least_offset(block_lower.slope);
+    const auto widening = [&](const Row& slope) HWY_ATTR { return multiply_add(fill(pad), abs(slope), fill(pad)); };
+    upper.offset = chord(upper.slope, least_upper, origins.greatest_offset(least_upper), block_upper.slope, high) +
+                   widening(upper.slope);
+    lower.offset = chord(lower.slope, block_lower.slope, low, greatest_lower, origins.least_offset(greatest_lower)) -
+                   widening(lower.slope);
+    block_upper.offset = high + pad * std::abs(block_upper.slope) + pad;
+    block_lower.offset = low - pad * std::abs(block_lower.slope) - pad;
 }
 
 /// False where the rays have no axis in common.

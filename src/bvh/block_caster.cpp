@@ -31,7 +31,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #include "bvh/block_traversal.inl"
 
-void trace_block(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored, const Box& bounds,
+void trace_block(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredPlaces& ignored, const Box& bounds,
                  BlockScratch& scratch, BlockedRays& blocked) {
     BlockTraversal traversal(hierarchy, block, ignored, bounds, scratch);
     traversal.run();
@@ -46,7 +46,7 @@ namespace vkbake {
 
 HWY_EXPORT(trace_block);
 
-BlockedRays blocked_rays(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored,
+BlockedRays blocked_rays(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredPlaces& ignored,
                          const Box& bounds, BlockScratch& scratch) {
     BlockedRays blocked{};
     if (block.max_distance > 0.0F && !hierarchy.nodes.empty()) {

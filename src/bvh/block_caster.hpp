@@ -9,15 +9,17 @@
 namespace vkbake {
 
 // Chosen by measurement, see docs/tracing.md.
-inline constexpr std::size_t strata_for_rays = 6;  ///< with so few strata left in a box their rays are tested each
-inline constexpr std::size_t rays_for_queue = 256; ///< so few rays go on alone
-inline constexpr std::size_t packet_gain = 2;      ///< with fewer triangles than so many a ray they are tested together
+inline constexpr std::size_t rays_for_queue = 64; ///< so few rays that pass a box go on alone
+inline constexpr std::size_t packet_gain = 2;     ///< with fewer triangles than so many a ray they are tested together
 inline constexpr std::size_t ray_batch = 32;
 inline constexpr std::size_t leaf_batch = 16;
 
+/// For each lane of a block the place of the triangle that its rays never meet.
+using IgnoredPlaces = std::array<std::uint32_t, RayBlock::lanes>;
+
 /// For each active ray of the block whether it meets a triangle, as PreparedRay and test_watertight have it.
 /// `bounds` holds all triangles; `scratch` has the capacity below.
-[[nodiscard]] BlockedRays blocked_rays(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored,
+[[nodiscard]] BlockedRays blocked_rays(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredPlaces& ignored,
                                        const Box& bounds, BlockScratch& scratch);
 
 /// The entries that a queue of rays can ever hold.

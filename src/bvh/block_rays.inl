@@ -14,6 +14,7 @@ struct BlockRays {
     alignas(64) EachStratum<LaneRow> futile_depth;
     alignas(64) EachStratum<std::array<std::uint32_t, RayBlock::lanes>> course; ///< see below
     EachStratum<RayBlock::LaneBits> alive;                                      ///< valid and not yet blocked
+    bool limited;                                                               ///< there is a greatest distance
     float pad;
     float sure_sum; ///< see test_corners
 };
@@ -66,11 +67,12 @@ HWY_INLINE void prepare_stratum(const RayBlock& block, std::size_t stratum, cons
 
     const Row one = fill(1.0F);
     const Row least = length * fill(least_slope);
+    Row inverse[3]; // NOLINT(modernize-avoid-c-arrays)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Row inverse = one / copy_sign(max(abs(d[axis]), least), d[axis]);
-        store(inverse, rays.inverse[stratum][axis]);
-        store(low_origin[axis] * inverse, rays.offset[stratum][axis]);
-        store(high_origin[axis] * inverse, rays.offset[stratum][axis + 3]);
+        inverse[axis] = one / copy_sign(max(abs(d[axis]), least), d[axis]);
+        store(inverse[axis], rays.inverse[stratum][axis]);
+        store(low_origin[axis] * inverse[axis], rays.offset[stratum][axis]);
+        store(high_origin[axis] * inverse[axis], rays.offset[stratum][axis + 3]);
     }
 
     // The axes of ShearedRay: next and last follow the largest in turn, and change places where that is negative.
@@ -79,12 +81,17 @@ HWY_INLINE void prepare_stratum(const RayBlock& block, std::size_t stratum, cons
     const Row last = select(along_x, d[2], select(along_y, d[0], d[1]));
     const Row zero = fill(0.0F);
     const RowMask negative = largest < zero;
-    const Row turned = abs(largest); // p / |z| = sign · (p / z), to the bit
-    store(select(negative, last, next) / turned, rays.turned_shear[stratum][0]);
-    store(select(negative, next, last) / turned, rays.turned_shear[stratum][1]);
-    const Row depth = fill(block.max_distance) * turned;
-    store(depth * fill(nearly_one), rays.sure_depth[stratum]);
-    store(depth / fill(nearly_one), rays.futile_depth[stratum]);
+    const Row turned = abs(largest);
+    const Row slope =
+        abs(select(along_x, inverse[0],
+                   select(along_y, inverse[1], inverse[2]))); // p · |1 / z| = sign · (p · (1 / z)), to the bit
+    store(select(negative, last, next) * slope, rays.turned_shear[stratum][0]);
+    store(select(negative, next, last) * slope, rays.turned_shear[stratum][1]);
+    if (rays.limited) {
+        const Row depth = fill(block.max_distance) * turned;
+        store(depth * fill(nearly_one), rays.sure_depth[stratum]);
+        store(depth * fill(just_over_one), rays.futile_depth[stratum]);
+    }
     store_course(d, along_x, along_y, rays.course[stratum]);
 }
 
@@ -92,6 +99,7 @@ HWY_INLINE void prepare_rays(const RayBlock& block, const Box& bounds, BlockRays
     const float extent = extent_of(block, bounds);
     rays.pad = padding_of(extent);
     rays.sure_sum = sure_sum_of(extent);
+    rays.limited = block.max_distance < std::numeric_limits<float>::infinity();
     std::array<Row, 3> low_origin;
     std::array<Row, 3> high_origin;
     for (std::size_t axis = 0; axis < 3; ++axis) {

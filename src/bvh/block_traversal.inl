@@ -6,7 +6,7 @@
 
 class BlockTraversal {
 public:
-    HWY_INLINE BlockTraversal(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredRanks& ignored,
+    HWY_INLINE BlockTraversal(const Hierarchy& hierarchy, const RayBlock& block, const IgnoredPlaces& ignored,
                               const Box& bounds, BlockScratch& scratch)
         : m_hierarchy(hierarchy), m_block(block), m_ignored(ignored), m_scratch(scratch) {
         prepare_rays(block, bounds, m_rays);
@@ -81,20 +81,18 @@ private:
             }
             const std::uint32_t target = node.children[child];
             const bool leaf = (target & leaf_bit) != 0;
-            if (leaf || static_cast<std::size_t>(std::popcount(inside)) <= strata_for_rays) {
-                StratumRays met;
-                const std::size_t count = rays_in_box(node, child, inside, met);
-                if (count == 0) {
-                    continue;
-                }
-                if (leaf) {
-                    visit_leaf(target, inside, met);
-                    continue;
-                }
-                if (count <= rays_for_queue) {
-                    enqueue(target, inside, met);
-                    continue;
-                }
+            StratumRays met;
+            const std::size_t count = rays_in_box(node, child, inside, met);
+            if (count == 0) {
+                continue;
+            }
+            if (leaf) {
+                visit_leaf(target, inside, met);
+                continue;
+            }
+            if (count <= rays_for_queue) {
+                enqueue(target, inside, met);
+                continue;
             }
             const float start = m_beams.backwards ? -node.planes[m_beams.w + 3][child] : node.planes[m_beams.w][child];
             std::size_t place = size++;
@@ -137,10 +135,8 @@ private:
     void enqueue(std::uint32_t node, unsigned strata, const StratumRays& met) {
         for (; strata != 0; strata &= strata - 1) {
             const auto s = static_cast<std::uint32_t>(std::countr_zero(strata));
-            for (unsigned lanes = met[s]; lanes != 0; lanes &= lanes - 1) {
-                m_scratch.nodes[m_ray_count] = node;
-                m_scratch.rays[m_ray_count++] = 16 * s + static_cast<std::uint32_t>(std::countr_zero(lanes));
-            }
+            fill_numbers(node, &m_scratch.nodes[m_ray_count]);
+            m_ray_count += compress_lanes(16 * s, met[s], &m_scratch.rays[m_ray_count]);
         }
         work_off_rays(ray_batch);
     }
@@ -189,14 +185,19 @@ private:
                        multiply_subtract(load(node.planes[far_row]), inverse, fill(m_rays.offset[s][far_row][lane])));
         }
         const unsigned met = (entry <= exit).bits();
-        const unsigned leaves = met & node.leaf_lanes;
-        const unsigned nodes = met & ~node.leaf_lanes;
+        const unsigned leaves = met & leaf_lanes(node);
+        const unsigned nodes = met & ~leaves;
         const std::size_t node_count = compress(node.children, nodes, &m_scratch.nodes[m_ray_count]);
         fill_numbers(ray, &m_scratch.rays[m_ray_count]);
         m_ray_count += node_count;
         const std::size_t leaf_count = compress(node.children, leaves, &m_leaves[m_leaf_count]);
         fill_numbers(ray, &m_leaf_rays[m_leaf_count]);
         m_leaf_count += leaf_count;
+    }
+
+    [[nodiscard]] static HWY_INLINE unsigned leaf_lanes(const WideNode& node) {
+        static_assert(leaf_bit == 0x80000000U);
+        return top_bits(node.children);
     }
 
     static HWY_INLINE void fetch(const void* data, std::size_t size) {
@@ -220,10 +221,8 @@ private:
                 visit_leaf_together(leaf, s, met[s]);
                 continue;
             }
-            for (unsigned lanes = met[s]; lanes != 0; lanes &= lanes - 1) {
-                m_leaves[m_leaf_count] = leaf;
-                m_leaf_rays[m_leaf_count++] = 16 * s + static_cast<std::uint32_t>(std::countr_zero(lanes));
-            }
+            fill_numbers(leaf, &m_leaves[m_leaf_count]);
+            m_leaf_count += compress_lanes(16 * s, met[s], &m_leaf_rays[m_leaf_count]);
         }
         if (m_leaf_count >= leaf_batch) {
             work_off_leaves();
@@ -243,10 +242,16 @@ private:
         const Leaf& leaf = leaf_at(index);
         const Axes& axes = axes_of(m_rays.course[s][static_cast<std::size_t>(std::countr_zero(lanes))]);
         const Row sign = fill(axes.sign);
-        const LeafRays rays{
-            load(m_block.origin[axes.x]),        load(m_block.origin[axes.y]),    sign,
-            sign * load(m_block.origin[axes.z]), load(m_rays.turned_shear[s][0]), load(m_rays.turned_shear[s][1]),
-            load(m_rays.sure_depth[s]),          load(m_rays.futile_depth[s]),    fill(m_rays.sure_sum)};
+        const LeafRays rays{load(m_block.origin[axes.x]),
+                            load(m_block.origin[axes.y]),
+                            sign,
+                            sign * load(m_block.origin[axes.z]),
+                            load(m_rays.turned_shear[s][0]),
+                            load(m_rays.turned_shear[s][1]),
+                            load(m_rays.sure_depth[s]),
+                            load(m_rays.futile_depth[s]),
+                            m_rays.limited,
+                            fill(m_rays.sure_sum)};
         using Rows = std::array<RayBlock::LaneRow, leaf_vertices>;
         alignas(64) Rows x; // NOLINT(cppcoreguidelines-pro-type-member-init): zeroing costs more than the test
         alignas(64) Rows y; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
@@ -259,7 +264,9 @@ private:
             store(at.z, z[vertex]);
         }
         unsigned left = lanes;
-        unsigned doubt = 0;
+        unsigned doubtful = 0;
+        std::array<unsigned, leaf_width>
+            doubts; // NOLINT(cppcoreguidelines-pro-type-member-init): lanes, where doubtful
         for (std::size_t triangle = 0; triangle < triangles_of(index) && left != 0; ++triangle) {
             const std::size_t a = vertex_of(leaf, triangle, 0);
             const std::size_t b = vertex_of(leaf, triangle, 1);
@@ -269,17 +276,20 @@ private:
                                     load(z[a]),
                                     load(z[b]),
                                     load(z[c])});
-            const RowMask others = unlike(m_ignored, leaf.ranks[triangle]);
+            const RowMask others = unlike(m_ignored, leaf.first_place + static_cast<std::uint32_t>(triangle));
             left &= ~(answer.hit & others).bits();
-            doubt |= (answer.doubt & others).bits();
+            doubts[triangle] = (answer.doubt & others).bits();
+            doubtful |= doubts[triangle] != 0 ? 1U << triangle : 0U;
         }
-        m_rays.alive[s] = static_cast<RayBlock::LaneBits>(m_rays.alive[s] & ~(lanes & ~left));
-        for (unsigned bits = doubt & left; bits != 0; bits &= bits - 1) {
-            const auto ray = static_cast<std::uint32_t>(16 * s) + static_cast<std::uint32_t>(std::countr_zero(bits));
-            if (is_met(index, ray)) {
-                block_ray(ray);
+        for (; doubtful != 0; doubtful &= doubtful - 1) {
+            const auto triangle = static_cast<std::size_t>(std::countr_zero(doubtful));
+            for (unsigned bits = doubts[triangle] & left; bits != 0; bits &= bits - 1) {
+                const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+                const bool met = meets_any(static_cast<std::uint32_t>(16 * s) + lane, leaf, 1U << triangle);
+                left &= met ? ~(1U << lane) : ~0U;
             }
         }
+        m_rays.alive[s] = static_cast<RayBlock::LaneBits>(m_rays.alive[s] & ~(lanes & ~left));
     }
 
     // By a table: the axis that a ray follows cannot be foretold any better than what it meets.
@@ -294,34 +304,34 @@ private:
         return axes_of_courses[2 * z + (course >> z & 1U)];
     }
 
-    // Without a branch on what a ray meets: it cannot be foretold, and the next rays need not wait for it.
+    // Without a branch on what a ray meets: it cannot be foretold, and the next rays need not wait for it. The one on
+    // rays that have been blocked since they came here spares a fifth of the leaves.
     void work_off_leaves() {
         std::size_t doubtful = 0;
         for (std::size_t i = 0; i < m_leaf_count; ++i) {
             fetch(&leaf_at(m_leaves[std::min(i + 3, m_leaf_count - 1)]), sizeof(Leaf));
             const std::uint32_t ray = m_leaf_rays[i];
+            if (!is_alive(ray)) {
+                continue;
+            }
             const Leaf& leaf = leaf_at(m_leaves[i]);
             const LeafRays rays = leaf_ray(ray);
             const LeafAnswer answer = test_corners(rays, corners_of(leaf, leaf_seen(leaf, rays, ray)));
-            const unsigned others = triangles_but(leaf, m_leaves[i], ray);
+            const unsigned others = triangles_but(leaf, m_leaves[i], m_ignored[ray % 16]);
             const auto hit = static_cast<unsigned>((answer.hit.bits() & others) != 0);
-            const auto doubt = static_cast<unsigned>((answer.doubt.bits() & others) != 0);
+            const unsigned doubt = answer.doubt.bits() & others;
             m_rays.alive[ray / 16] = static_cast<RayBlock::LaneBits>(m_rays.alive[ray / 16] & ~(hit << (ray % 16)));
             m_leaves[doubtful] = m_leaves[i];
             m_leaf_rays[doubtful] = ray;
-            doubtful += doubt & ~hit;
+            m_doubts[doubtful] = doubt;
+            doubtful += static_cast<std::size_t>(doubt != 0) & ~std::size_t{hit};
         }
         m_leaf_count = 0;
         for (std::size_t i = 0; i < doubtful; ++i) {
-            if (is_alive(m_leaf_rays[i]) && is_met(m_leaves[i], m_leaf_rays[i])) {
+            if (is_alive(m_leaf_rays[i]) && meets_any(m_leaf_rays[i], leaf_at(m_leaves[i]), m_doubts[i])) {
                 block_ray(m_leaf_rays[i]);
             }
         }
-    }
-
-    /// The leaf's triangles but for the one that the ray ignores.
-    [[nodiscard]] HWY_INLINE unsigned triangles_but(const Leaf& leaf, std::uint32_t child, std::uint32_t ray) const {
-        return unlike(leaf.ranks, m_ignored[ray % 16]).bits() & ((2U << (triangles_of(child) - 1)) - 1);
     }
 
     [[nodiscard]] HWY_INLINE LeafVertices leaf_seen(const Leaf& leaf, const LeafRays& rays, std::uint32_t ray) const {
@@ -339,20 +349,23 @@ private:
                 fill(axes.sign * m_block.origin[axes.z][lane]),
                 fill(m_rays.turned_shear[s][0][lane]),
                 fill(m_rays.turned_shear[s][1][lane]),
-                fill(m_rays.sure_depth[s][lane]),
-                fill(m_rays.futile_depth[s][lane]),
+                m_rays.limited ? fill(m_rays.sure_depth[s][lane]) : fill(0.0F),
+                m_rays.limited ? fill(m_rays.futile_depth[s][lane]) : fill(0.0F),
+                m_rays.limited,
                 fill(m_rays.sure_sum)};
     }
 
-    /// Of a ray in doubt.
-    [[nodiscard]] bool is_met(std::uint32_t child, std::uint32_t ray) const {
-        const Leaf& leaf = leaf_at(child);
-        const LeafRays rays = leaf_ray(ray);
-        const LeafCorners corners = corners_of(leaf, leaf_seen(leaf, rays, ray));
-        unsigned doubt = test_corners(rays, corners).doubt.bits() & triangles_but(leaf, child, ray);
-        for (; doubt != 0; doubt &= doubt - 1) {
-            const auto triangle = static_cast<std::size_t>(std::countr_zero(doubt));
-            if (test_watertight(ShearedRay(ray_of(m_block, ray / 16, ray % 16)), triangle_in(leaf, triangle)).hit) {
+    /// Whether a ray meets any of these triangles of a leaf, asked in double.
+    [[nodiscard]] HWY_NOINLINE bool meets_any(std::uint32_t ray, const Leaf& leaf, unsigned triangles) const {
+        const std::size_t s = ray / 16;
+        const std::size_t lane = ray % 16;
+        const Axes& axes = axes_of(m_rays.course[s][lane]);
+        const ShearedRay sheared(ray_of(m_block, s, lane), static_cast<int>(axes.x), static_cast<int>(axes.y),
+                                 static_cast<int>(axes.z), axes.sign * m_rays.turned_shear[s][0][lane],
+                                 axes.sign * m_rays.turned_shear[s][1][lane]);
+        for (; triangles != 0; triangles &= triangles - 1) {
+            const auto triangle = static_cast<std::size_t>(std::countr_zero(triangles));
+            if (test_watertight(sheared, triangle_in(leaf, triangle)).hit) {
                 return true;
             }
         }
@@ -361,7 +374,7 @@ private:
 
     const Hierarchy& m_hierarchy;
     const RayBlock& m_block;
-    alignas(64) IgnoredRanks m_ignored;
+    alignas(64) IgnoredPlaces m_ignored;
     BlockScratch& m_scratch;
     BlockRays m_rays;
     StratumRays m_asked;
@@ -371,4 +384,5 @@ private:
     std::size_t m_leaf_count = 0;
     std::array<std::uint32_t, leaf_capacity> m_leaves;
     std::array<std::uint32_t, leaf_capacity> m_leaf_rays;
+    std::array<std::uint32_t, leaf_capacity> m_doubts; ///< triangles, a bit each
 };

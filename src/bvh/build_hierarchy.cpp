@@ -81,7 +81,7 @@ private:
     [[nodiscard]] bool fit_a_leaf(std::size_t begin, std::size_t end) const {
         LeafBuilder leaf;
         for (std::size_t i = begin; i < end; ++i) {
-            if (end - begin > leaf_width || !leaf.add(m_triangles[m_items[i].index], m_items[i].index)) {
+            if (end - begin > leaf_width || !leaf.add(m_triangles[m_items[i].index])) {
                 return false;
             }
         }
@@ -129,6 +129,8 @@ public:
 
     Hierarchy take() && {
         m_hierarchy.clusters = m_tree.cluster_count();
+        m_hierarchy.ranks.reserve(m_triangles.size());
+        m_hierarchy.places.resize(m_triangles.size());
         add_node(m_tree.root(), 1);
         m_hierarchy.nodes.shrink_to_fit();
         m_hierarchy.leaves.shrink_to_fit();
@@ -176,7 +178,6 @@ private:
                 wide.planes[static_cast<std::size_t>(axis)][lane] = node.box.low[axis];
                 wide.planes[static_cast<std::size_t>(axis) + 3][lane] = node.box.high[axis];
             }
-            wide.leaf_lanes |= node.leaf() ? 1U << lane : 0U;
             wide.children[lane++] = node.leaf() ? add_leaf(m_tree.items(node)) : add_node(child, depth + 1);
         }
         m_hierarchy.nodes[index] = wide;
@@ -186,9 +187,13 @@ private:
     std::uint32_t add_leaf(std::span<const BuildItem> items) {
         LeafBuilder leaf;
         for (const BuildItem& item : items) {
-            leaf.add(m_triangles[item.index], item.index);
+            leaf.add(m_triangles[item.index]);
         }
-        m_hierarchy.leaves.push_back(leaf.take());
+        m_hierarchy.leaves.push_back(leaf.take(static_cast<std::uint32_t>(m_hierarchy.ranks.size())));
+        for (const BuildItem& item : items) {
+            m_hierarchy.places[item.index] = static_cast<std::uint32_t>(m_hierarchy.ranks.size());
+            m_hierarchy.ranks.push_back(item.index);
+        }
         if (m_hierarchy.leaves.size() > greatest_leaf_count) {
             throw Error(ErrorKind::bad_input, "accelerator: more than 2^27 leaves; split the scene");
         }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bvh/ray_block.hpp"
 #include "bvh/triangle_list.hpp"
 
 namespace vkbake {
@@ -38,7 +39,6 @@ constexpr float empty_high = -0x1p100F;
 struct alignas(64) WideNode {
     std::array<std::array<float, node_width>, 6> planes; ///< low x, y, z, high x, y, z
     std::array<std::uint32_t, node_width> children;
-    std::uint32_t leaf_lanes; ///< a bit for each child that is a leaf
 };
 
 constexpr std::size_t leaf_vertices = 16; ///< most vertices in a leaf
@@ -46,12 +46,13 @@ constexpr std::size_t leaf_vertices = 16; ///< most vertices in a leaf
 /// Neighbouring triangles share vertices, so these stand once: half the memory, a third of the work.
 struct alignas(64) Leaf {
     std::array<std::array<float, leaf_vertices>, 3> vertices; ///< [axis][vertex]; those not used are as the first
-    std::array<std::uint32_t, leaf_width> ranks;
     /// For each triangle its corners' vertices, four bits each, the first corner lowest. What is beyond the triangles'
     /// number (see above) is 0.
     std::array<std::uint16_t, leaf_width> corners;
+    std::uint32_t first_place; ///< of its triangles in Hierarchy::ranks, where they stand one after the other
     std::uint32_t vertex_count;
 };
+static_assert(sizeof(Leaf) == 256);
 
 [[nodiscard]] constexpr std::size_t vertex_of(const Leaf& leaf, std::size_t triangle, std::size_t corner) {
     return static_cast<std::size_t>(leaf.corners[triangle]) >> (4 * corner) & 15U;
@@ -66,12 +67,26 @@ struct alignas(64) Leaf {
     return triangle;
 }
 
+/// The leaf's triangles, a bit each, but for the one at this place if it is among them.
+[[nodiscard]] inline unsigned triangles_but(const Leaf& leaf, std::uint32_t child, std::uint32_t place) {
+    const std::uint32_t lane = place - leaf.first_place;
+    const unsigned all = (2U << (triangles_of(child) - 1)) - 1;
+    return all & ~(static_cast<unsigned>(lane < leaf_width) << (lane % leaf_width));
+}
+
 struct Hierarchy {
     std::vector<WideNode> nodes; ///< the root first; none if there are no triangles
     std::vector<Leaf> leaves;
+    std::vector<std::uint32_t> ranks;  ///< of the leaves' triangles, leaf after leaf
+    std::vector<std::uint32_t> places; ///< its inverse: by rank
     std::size_t clusters = 0;
     std::size_t depth = 0;
 };
+
+/// `rank` may be no_triangle, whose place is that of none.
+[[nodiscard]] inline std::uint32_t place_of(const Hierarchy& hierarchy, std::uint32_t rank) {
+    return rank < hierarchy.places.size() ? hierarchy.places[rank] : no_triangle;
+}
 
 /// Clusters at the top (see clusters.hpp), binned surface-area heuristic over the clusters and in each of them. The
 /// result does not depend on `threads`. Throws Error{bad_input} for more than 2³⁰ triangles.

@@ -61,9 +61,9 @@ struct Candidates {
 /// One ray against leaves.
 class LeafTest {
 public:
-    HWY_INLINE explicit LeafTest(const PreparedRay& ray)
-        : m_ray(ray), m_x(static_cast<std::size_t>(ray.x_axis)), m_y(static_cast<std::size_t>(ray.y_axis)),
-          m_z(static_cast<std::size_t>(ray.z_axis)) {
+    HWY_INLINE explicit LeafTest(const Hierarchy& hierarchy, const PreparedRay& ray)
+        : m_ignored(place_of(hierarchy, ray.ignored_rank)), m_x(static_cast<std::size_t>(ray.x_axis)),
+          m_y(static_cast<std::size_t>(ray.y_axis)), m_z(static_cast<std::size_t>(ray.z_axis)) {
         const float sign = ray.direction[ray.z_axis] < 0.0F ? -1.0F : 1.0F;
         const float depth = ray.max_distance * sign * ray.direction[ray.z_axis];
         m_rays = {fill(ray.origin[ray.x_axis]),
@@ -73,26 +73,27 @@ public:
                   fill(sign * ray.shear_x),
                   fill(sign * ray.shear_y),
                   fill(depth * nearly_one),
-                  fill(depth / nearly_one),
+                  fill(depth * just_over_one),
+                  ray.max_distance < std::numeric_limits<float>::infinity(),
                   fill(sure_sum_of(ray.extent))};
     }
 
     HWY_INLINE Candidates operator()(const Leaf& leaf, std::uint32_t child) const {
         const LeafVertices at(m_rays, load(leaf.vertices[m_x]), load(leaf.vertices[m_y]), load(leaf.vertices[m_z]));
         const LeafAnswer answer = test_corners(m_rays, corners_of(leaf, at));
-        const unsigned others = unlike(leaf.ranks, m_ray.ignored_rank).bits() & ((2U << (triangles_of(child) - 1)) - 1);
+        const unsigned others = triangles_but(leaf, child, m_ignored);
         return {answer.doubt.bits() & others, (answer.hit.bits() & others) != 0};
     }
 
 private:
-    const PreparedRay& m_ray;
+    std::uint32_t m_ignored; ///< a place
     std::size_t m_x, m_y, m_z;
     LeafRays m_rays;
 };
 
 bool occluded(const Hierarchy& hierarchy, const PreparedRay& ray) {
     const NodeTest passes(ray);
-    const LeafTest test(ray);
+    const LeafTest test(hierarchy, ray);
     std::array<std::uint32_t, stack_size>
         stack; // NOLINT(cppcoreguidelines-pro-type-member-init): zeroing costs more than a ray
     alignas(64) std::array<float, node_width> entries;
@@ -143,7 +144,7 @@ HWY_INLINE std::size_t push(Pending* stack, std::size_t size, const WideNode& no
 
 NearestHit nearest(const Hierarchy& hierarchy, const PreparedRay& ray) {
     const NodeTest passes(ray);
-    const LeafTest test(ray);
+    const LeafTest test(hierarchy, ray);
     NearestHit best(ray);
     std::array<Pending, stack_size> stack; // NOLINT(cppcoreguidelines-pro-type-member-init): as above
     alignas(64) std::array<float, node_width> entries;
@@ -163,7 +164,7 @@ NearestHit nearest(const Hierarchy& hierarchy, const PreparedRay& ray) {
         const Leaf& leaf = hierarchy.leaves[leaf_index(pending.child)];
         for (unsigned bits = test(leaf, pending.child).bits; bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-            best.offer(test_watertight(ray, triangle_in(leaf, lane)), leaf.ranks[lane]);
+            best.offer(test_watertight(ray, triangle_in(leaf, lane)), hierarchy.ranks[leaf.first_place + lane]);
         }
     }
     return best;
@@ -190,7 +191,11 @@ NearestHit HierarchyCaster::nearest(const PreparedRay& ray) const {
 
 BlockedRays HierarchyCaster::blocked(const RayBlock& block, const IgnoredRanks& ignored, const Box& bounds,
                                      BlockScratch& scratch) const {
-    return blocked_rays(m_hierarchy, block, ignored, bounds, scratch);
+    IgnoredPlaces places{};
+    for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
+        places[lane] = place_of(m_hierarchy, ignored[lane]);
+    }
+    return blocked_rays(m_hierarchy, block, places, bounds, scratch);
 }
 
 BlockScratch HierarchyCaster::make_scratch() const { return BlockScratch(queue_capacity(m_hierarchy)); }
@@ -201,7 +206,8 @@ AcceleratorStatistics HierarchyCaster::statistics() const {
     statistics.nodes = m_hierarchy.nodes.size();
     statistics.leaves = m_hierarchy.leaves.size();
     statistics.depth = m_hierarchy.depth;
-    statistics.bytes = m_hierarchy.nodes.capacity() * sizeof(WideNode) + m_hierarchy.leaves.capacity() * sizeof(Leaf);
+    statistics.bytes = m_hierarchy.nodes.capacity() * sizeof(WideNode) + m_hierarchy.leaves.capacity() * sizeof(Leaf) +
+                       (m_hierarchy.ranks.capacity() + m_hierarchy.places.capacity()) * sizeof(std::uint32_t);
     return statistics;
 }
 

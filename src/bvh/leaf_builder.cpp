@@ -20,7 +20,7 @@ bool same_vertex(const Leaf& leaf, std::size_t vertex, const glm::vec3& corner) 
 
 LeafBuilder::LeafBuilder() = default;
 
-bool LeafBuilder::add(const Triangle& triangle, std::uint32_t rank) {
+bool LeafBuilder::add(const Triangle& triangle) {
     if (m_count == leaf_width) {
         return false;
     }
@@ -43,13 +43,13 @@ bool LeafBuilder::add(const Triangle& triangle, std::uint32_t rank) {
         }
         packed |= vertex << (4 * corner);
     }
-    m_leaf.ranks[m_count] = rank;
     m_leaf.corners[m_count++] = static_cast<std::uint16_t>(packed);
     return true;
 }
 
-Leaf LeafBuilder::take() const {
+Leaf LeafBuilder::take(std::uint32_t first_place) const {
     Leaf leaf = m_leaf;
+    leaf.first_place = first_place;
     for (auto& row : leaf.vertices) {
         for (std::size_t vertex = leaf.vertex_count; vertex < leaf_vertices; ++vertex) {
             row[vertex] = row[0];

@@ -13,9 +13,9 @@ public:
     LeafBuilder();
 
     /// False, and nothing is changed, where the triangle or its vertices find no room.
-    bool add(const Triangle& triangle, std::uint32_t rank);
+    bool add(const Triangle& triangle);
     [[nodiscard]] std::size_t count() const { return m_count; }
-    [[nodiscard]] Leaf take() const; ///< after at least one triangle
+    [[nodiscard]] Leaf take(std::uint32_t first_place) const; ///< after at least one triangle
 
 private:
     Leaf m_leaf{};

@@ -11,6 +11,7 @@ struct LeafRays {
     Row sign, turned_origin_z;          ///< ±1; sign · origin.z
     Row turned_shear_x, turned_shear_y; ///< sign · slope
     Row sure_depth, futile_depth;       ///< along z: below the first a hit is near enough, from the second on too far
+    bool limited;                       ///< false: there is no limit, and no depth is too far
     Row sure_sum;                       ///< see test_corners and sure_sum_of
 };
 
@@ -60,11 +61,16 @@ HWY_INLINE LeafAnswer test_corners(const LeafRays& ray, const LeafCorners& corne
     const Row nearest = min(corner.az, min(corner.bz, corner.cz));
     const Row farthest = max(corner.az, max(corner.bz, corner.cz));
     const Row sum = edge.u * corner.az + edge.v * corner.bz + edge.w * corner.cz;
-    const RowMask front_side = zero <= least;
-    const Row depth = select(front_side, sum, zero - sum);
-    const RowMask strictly = (zero < least) | (greatest < zero);
-    const RowMask perhaps = front_side | (greatest <= zero);
+    // Positive where all signs are the same and none is 0; where it underflows there is doubt.
+    const Row alike = least * greatest;
+    const RowMask strictly = zero < alike;
+    const RowMask perhaps = zero <= alike;
+    const Row depth = turned_by_sign(sum, least + greatest);
     const RowMask ahead = (fill(surely_in_front) < nearest) | (ray.sure_sum < depth);
-    return {strictly & ahead & (farthest < ray.sure_depth),
-            perhaps & (zero < farthest) & (zero - ray.sure_sum <= depth) & (nearest < ray.futile_depth)};
+    LeafAnswer answer{strictly & ahead, perhaps & (zero < farthest) & (zero - ray.sure_sum <= depth)};
+    if (ray.limited) {
+        answer.hit = answer.hit & (farthest < ray.sure_depth);
+        answer.doubt = answer.doubt & (nearest < ray.futile_depth);
+    }
+    return answer;
 }

@@ -19,6 +19,7 @@ constexpr float least_slope = 0x1p-40F;
 
 /// On either side of a distance, this far from it relatively, floats tell for certain which side it is.
 constexpr float nearly_one = 1.0F - 0x1p-20F;
+constexpr float just_over_one = 1.0F + 0x1p-19F; ///< more than its inverse
 
 /// `extent`: M, see PreparedRay.
 [[nodiscard]] inline float padding_of(float extent) {
@@ -32,17 +33,17 @@ constexpr float nearly_one = 1.0F - 0x1p-20F;
     return sum > 0x1p-100F ? sum : 0x1p-100F;
 }
 
-/// Slabs after Williams et al., "An
-/// Efficient and Robust Ray–Box Intersection Algorithm" (2005), made conservative (the thought is Ize's, "Robust BVH
-/// Ray Traversal", 2013) against the rounding of both the slabs and the triangle test.
+/// Slabs after Williams et al., "An Efficient and Robust Ray–Box Intersection Algorithm" (2005), made conservative (the
+/// thought is Ize's, "Robust BVH Ray Traversal", 2013) against the rounding of both the slabs and the triangle test.
 ///
 /// Why no box loses a triangle. Let u = 2⁻²⁴ and M the largest distance along an axis from the origin to anything, or
-/// the origin's own largest coordinate. Relative to its true place a sheared corner is off by at most 6·u·M
-/// (subtraction of the origin in two axes, the slope, the product, the difference). What follows is exact to double
-/// precision, and t is then rounded to float (1·u·M), so the ray's point at the computed t lies within 7·u·M of the
-/// triangle, hence of its box. A slab's distance is off by what moving its plane by 3·u·M would do, and moving it by
-/// the pad rounds by 1·u·M. So boxes that are padded by 16·u·M always hold the point: entry(box) ≤ t ≤ exit(box). The
-/// pad sits in the ray (two origins an axis), so that it costs nothing and does not depend on which boxes there are.
+/// the origin's own largest coordinate. Relative to its true place a sheared corner is off by at most 7·u·M
+/// (subtraction of the origin in two axes, the slope's two roundings, the product, the difference). What follows is
+/// exact to double precision, and t is then rounded to float (1·u·M), so the ray's point at the computed t lies within
+/// 8·u·M of the triangle, hence of its box. A slab's distance is off by what moving its plane by 3·u·M would do, and
+/// moving it by the pad rounds by 1·u·M. So boxes that are padded by 16·u·M always hold the point: entry(box) ≤ t ≤
+/// exit(box). The pad sits in the ray (two origins an axis), so that it costs nothing and does not depend on which
+/// boxes there are.
 struct PreparedRay : ShearedRay {
     float extent;                      ///< M, see above
     glm::vec3 near_origin, far_origin; ///< where to measure the near and the far planes of boxes from

@@ -88,6 +88,12 @@ HWY_INLINE Row copy_sign(const Row& magnitude, const Row& sign) {
     return each_part([&](std::size_t p) HWY_ATTR { return hn::CopySign(magnitude.part[p], sign.part[p]); });
 }
 
+/// Turned where the other one's sign bit is set.
+HWY_INLINE Row turned_by_sign(const Row& a, const Row& sign) {
+    return each_part([&](std::size_t p)
+                         HWY_ATTR { return hn::Xor(a.part[p], hn::And(sign.part[p], hn::SignBit(Lanes()))); });
+}
+
 /// a · b − c, rounded once where the machine can, else twice: for boxes and beams, whose pads cover either, and where
 /// the product is exact.
 HWY_INLINE Row multiply_subtract(const Row& a, const Row& b, const Row& c) {
@@ -145,6 +151,23 @@ HWY_INLINE std::size_t compress(const std::array<std::uint32_t, row_size>& numbe
     return count;
 }
 
+/// Writes `first` + l for each lane l of `bits`, likewise.
+HWY_INLINE std::size_t compress_lanes(std::uint32_t first, unsigned bits, std::uint32_t* to) {
+    alignas(64) static constexpr std::array<std::uint32_t, row_size> lanes{0, 1, 2,  3,  4,  5,  6,  7,
+                                                                           8, 9, 10, 11, 12, 13, 14, 15};
+    const hn::RebindToUnsigned<Lanes> unsigned_lanes;
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < part_count; ++p) {
+        const unsigned part = bits >> (p * part_size);
+        alignas(8) const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(part), // NOLINT(modernize-avoid-c-arrays)
+                                                  static_cast<std::uint8_t>(part >> 8U)};
+        const auto mask = hn::LoadMaskBits(unsigned_lanes, bytes);
+        const auto values = hn::Load(unsigned_lanes, lanes.data() + p * part_size) + hn::Set(unsigned_lanes, first);
+        count += hn::CompressStore(values, mask, unsigned_lanes, to + count);
+    }
+    return count;
+}
+
 /// The lanes whose number is not this one.
 HWY_INLINE RowMask unlike(const std::array<std::uint32_t, row_size>& numbers, std::uint32_t number) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
@@ -163,6 +186,16 @@ HWY_INLINE RowMask differ(const std::array<std::uint32_t, row_size>& numbers, st
         return hn::RebindMask(Lanes(),
                               hn::And(row, hn::Set(unsigned_lanes, mask)) != hn::Set(unsigned_lanes, number & mask));
     });
+}
+
+/// Bit l: the highest bit of lane l's number.
+HWY_INLINE unsigned top_bits(const std::array<std::uint32_t, row_size>& numbers) {
+    const hn::RebindToSigned<Lanes> signed_lanes;
+    const RowMask negative = each_mask([&](std::size_t p) HWY_ATTR {
+        const auto row = hn::Load(hn::RebindToUnsigned<Lanes>(), numbers.data() + p * part_size);
+        return hn::RebindMask(Lanes(), hn::MaskFromVec(hn::BroadcastSignBit(hn::BitCast(signed_lanes, row))));
+    });
+    return negative.bits();
 }
 
 /// For each lane a lane of another row.

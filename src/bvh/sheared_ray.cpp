@@ -27,8 +27,9 @@ ShearedRay::ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direc
     if (direction[z_axis] < 0.0F) {
         std::swap(x_axis, y_axis);
     }
-    shear_x = direction[x_axis] / direction[z_axis];
-    shear_y = direction[y_axis] / direction[z_axis];
+    const float inverse = 1.0F / direction[z_axis];
+    shear_x = direction[x_axis] * inverse;
+    shear_y = direction[y_axis] * inverse;
 }
 
 } // namespace vkbake

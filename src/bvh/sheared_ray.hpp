@@ -18,9 +18,13 @@ struct ShearedRay {
 
     int x_axis = 0, y_axis = 1,
         z_axis = 2; ///< z: of the largest component of the direction; x and y so that winding is kept
-    float shear_x = 0.0F, shear_y = 0.0F; ///< slopes along z
+    float shear_x = 0.0F, shear_y = 0.0F; ///< slopes along z: x · (1 / z) and y · (1 / z)
 
     explicit ShearedRay(const Ray& ray);
+    /// Of a valid ray whose axes and slopes are known; no triangle is ignored.
+    ShearedRay(const Ray& ray, int x, int y, int z, float slope_x, float slope_y)
+        : origin(ray.origin), direction(ray.direction), max_distance(ray.max_distance), valid(true), x_axis(x),
+          y_axis(y), z_axis(z), shear_x(slope_x), shear_y(slope_y) {}
 };
 
 } // namespace vkbake

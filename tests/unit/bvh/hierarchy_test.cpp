@@ -63,9 +63,12 @@ private:
     void inspect_leaf(std::uint32_t child, const Box& above) {
         const Leaf& leaf = m_hierarchy.leaves[leaf_index(child)];
         for (std::size_t lane = 0; lane < triangles_of(child); ++lane) {
-            ++m_seen[leaf.ranks[lane]];
+            const std::uint32_t place = leaf.first_place + static_cast<std::uint32_t>(lane);
+            const std::uint32_t rank = m_hierarchy.ranks[place];
+            ++m_seen[rank];
             const Triangle triangle = triangle_in(leaf, lane);
-            m_contained = m_contained && triangle.corners == m_triangles[leaf.ranks[lane]].corners;
+            m_contained =
+                m_contained && triangle.corners == m_triangles[rank].corners && place_of(m_hierarchy, rank) == place;
             require(triangle.bounds(), above);
         }
     }
@@ -143,8 +146,11 @@ TEST(Hierarchy, DoesNotDependOnThreads) {
             ASSERT_EQ(one.nodes[i].children, other.nodes[i].children);
         }
         for (std::size_t i = 0; i < one.leaves.size(); ++i) {
-            ASSERT_EQ(one.leaves[i].ranks, other.leaves[i].ranks);
+            ASSERT_EQ(one.leaves[i].vertices, other.leaves[i].vertices);
+            ASSERT_EQ(one.leaves[i].corners, other.leaves[i].corners);
+            ASSERT_EQ(one.leaves[i].first_place, other.leaves[i].first_place);
         }
+        ASSERT_EQ(one.ranks, other.ranks);
     }
 }
 
