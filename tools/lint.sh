@@ -2,7 +2,7 @@
 # clang-format over all sources, then clang-tidy over all folders, or over those named (tools/lint.sh src/load tests/cli).
 # Changes nothing; says of each folder whether it is clean, and fails at the end if one is not.
 # A folder goes through clang-tidy as one source that includes all of its own: headers are most of the work, and so are
-# read once. Files whose code is made for several instruction sets (src/bvh, src/trace) and tools go one by one.
+# read once. Files whose code is made for several instruction sets (src/bvh, src/trace) go one by one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -23,6 +23,7 @@ units() {
         s|^(.*/vkbake_([a-z_]+)\.dir/.*)$|src/\2 \1|; t
         s|^(.*/test_unit_([a-z_]+)\.dir/.*)$|tests/unit/\2 \1|; t
         s|^(.*/test_([a-z_]+)\.dir/.*)$|tests/\2 \1|; t
+        s|^($PWD/build/lint/(tools/.*)/CMakeFiles/.*)$|\2 \1|; t
         s|^($PWD/(.*))$|\2 \1|"
     for file in tests/consumer/*.cpp; do
         echo "$file $file"

@@ -18,15 +18,15 @@ struct StratumBeams {
 /// All rays of the block.
 struct BlockBeam {
     struct Plane {
-        float slope, offset;
+        float slope = 0.0F, offset = 0.0F;
     };
     Plane upper_u, lower_u, upper_v, lower_v;
 };
 
 struct Beams {
-    std::size_t w, u, v;
-    bool backwards; ///< w is turned
-    float start;    ///< before the first origin
+    std::size_t w = 0, u = 0, v = 0;
+    bool backwards = false; ///< w is turned
+    float start = 0.0F;     ///< before the first origin
     StratumBeams strata;
     BlockBeam block;
 };

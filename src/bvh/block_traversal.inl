@@ -264,9 +264,9 @@ private:
             store(at.z, z[vertex]);
         }
         unsigned left = lanes;
-        unsigned doubtful = 0;
-        std::array<unsigned, leaf_width>
-            doubts; // NOLINT(cppcoreguidelines-pro-type-member-init): lanes, where doubtful
+        unsigned doubtful = 0; // triangles
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): read where doubtful only
+        std::array<unsigned, leaf_width> doubts; // lanes
         for (std::size_t triangle = 0; triangle < triangles_of(index) && left != 0; ++triangle) {
             const std::size_t a = vertex_of(leaf, triangle, 0);
             const std::size_t b = vertex_of(leaf, triangle, 1);

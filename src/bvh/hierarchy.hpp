@@ -59,7 +59,7 @@ static_assert(sizeof(Leaf) == 256);
 }
 
 [[nodiscard]] inline Triangle triangle_in(const Leaf& leaf, std::size_t lane) {
-    Triangle triangle;
+    Triangle triangle{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::size_t vertex = vertex_of(leaf, lane, corner);
         triangle.corners[corner] = {leaf.vertices[0][vertex], leaf.vertices[1][vertex], leaf.vertices[2][vertex]};

@@ -94,9 +94,9 @@ private:
 bool occluded(const Hierarchy& hierarchy, const PreparedRay& ray) {
     const NodeTest passes(ray);
     const LeafTest test(hierarchy, ray);
-    std::array<std::uint32_t, stack_size>
-        stack; // NOLINT(cppcoreguidelines-pro-type-member-init): zeroing costs more than a ray
-    alignas(64) std::array<float, node_width> entries;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeroing costs more than a ray
+    std::array<std::uint32_t, stack_size> stack;
+    alignas(64) std::array<float, node_width> entries{};
     stack[0] = 0;
     std::size_t size = 1;
     while (size > 0) {
@@ -147,7 +147,7 @@ NearestHit nearest(const Hierarchy& hierarchy, const PreparedRay& ray) {
     const LeafTest test(hierarchy, ray);
     NearestHit best(ray);
     std::array<Pending, stack_size> stack; // NOLINT(cppcoreguidelines-pro-type-member-init): as above
-    alignas(64) std::array<float, node_width> entries;
+    alignas(64) std::array<float, node_width> entries{};
     stack[0] = {0, 0.0F};
     std::size_t size = 1;
     while (size > 0) {

@@ -11,7 +11,7 @@ struct LeafRays {
     Row sign, turned_origin_z;          ///< ±1; sign · origin.z
     Row turned_shear_x, turned_shear_y; ///< sign · slope
     Row sure_depth, futile_depth;       ///< along z: below the first a hit is near enough, from the second on too far
-    bool limited;                       ///< false: there is no limit, and no depth is too far
+    bool limited = false;                       ///< false: there is no limit, and no depth is too far
     Row sure_sum;                       ///< see test_corners and sure_sum_of
 };
 

@@ -220,9 +220,9 @@ HWY_INLINE Row pick(const Row& row, const RowPlaces& places) {
     if constexpr (part_count == 1) {
         return {{hn::TableLookupLanes(row.part[0], hn::IndicesFromVec(Lanes(), places.part[0]))}};
     } else {
-        alignas(64) std::array<float, row_size> from;
-        alignas(64) std::array<std::uint32_t, row_size> at;
-        alignas(64) std::array<float, row_size> picked;
+        alignas(64) std::array<float, row_size> from{};
+        alignas(64) std::array<std::uint32_t, row_size> at{};
+        alignas(64) std::array<float, row_size> picked{};
         store(row, from);
         for (std::size_t p = 0; p < part_count; ++p) {
             hn::Store(places.part[p], hn::RebindToUnsigned<Lanes>(), at.data() + p * part_size);

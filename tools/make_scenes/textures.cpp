@@ -62,7 +62,7 @@ PaletteImage make_texture(Texture texture) {
     for (int k = 0; k < 16; ++k) {
         std::array<std::uint8_t, 3> colour{};
         for (std::size_t c = 0; c < 3; ++c) {
-            colour[c] = static_cast<std::uint8_t>(dark[c] + (light[c] - dark[c]) * k / 15.0 + 0.5);
+            colour[c] = static_cast<std::uint8_t>(std::lround(dark[c] + (light[c] - dark[c]) * k / 15.0));
         }
         image.palette.push_back(colour);
     }
@@ -72,7 +72,7 @@ PaletteImage make_texture(Texture texture) {
             const double v = static_cast<double>(y) / side;
             const double value = texture == Texture::wood ? wood(u, v) : grain(u, v);
             const double stretched = std::clamp((value - 0.2) / 0.6, 0.0, 1.0);
-            image.texels.push_back(static_cast<std::uint8_t>(stretched * 15.0 + 0.5));
+            image.texels.push_back(static_cast<std::uint8_t>(std::lround(stretched * 15.0)));
         }
     }
     return image;

@@ -220,6 +220,7 @@ TEST(Block, AnswersDoNotDependOnTheInstructionSet) {
     BlockScratch scratch = accelerator.make_scratch();
     const auto answers = [&] {
         std::vector<BlockedRays> all;
+        all.reserve(blocks.size());
         for (const RayBlock& block : blocks) {
             all.push_back(accelerator.blocked(block, scratch));
         }

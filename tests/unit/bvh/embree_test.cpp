@@ -39,7 +39,7 @@ public:
     }
 
     [[nodiscard]] bool occluded(const Ray& ray) const {
-        RTCIntersectContext context;
+        RTCIntersectContext context{};
         rtcInitIntersectContext(&context);
         RTCRay query = convert(ray);
         rtcOccluded1(m_scene.get(), &context, &query);
@@ -47,7 +47,7 @@ public:
     }
 
     [[nodiscard]] std::optional<Hit> nearest(const Ray& ray) const {
-        RTCIntersectContext context;
+        RTCIntersectContext context{};
         rtcInitIntersectContext(&context);
         RTCRayHit query{};
         query.ray = convert(ray);

@@ -52,6 +52,7 @@ struct Case {
     int height;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest's own name
 void PrintTo(const Case& sample, std::ostream* out) { *out << sample.name; }
 
 class AgainstReference : public DrawGeometryImage, public testing::WithParamInterface<Case> {};

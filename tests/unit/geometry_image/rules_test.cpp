@@ -134,7 +134,9 @@ protected:
     void for_each_texel(Visit&& visit) const {
         for (int j = 0; j < m_height; ++j) {
             for (int i = 0; i < m_width; ++i) {
-                visit(i, j, m_image.triangle[static_cast<std::size_t>(j * m_width + i)]);
+                visit(i, j,
+                      m_image.triangle[static_cast<std::size_t>(j) * static_cast<std::size_t>(m_width) +
+                                       static_cast<std::size_t>(i)]);
             }
         }
     }

@@ -10,10 +10,8 @@ namespace {
 using vkbake::Image;
 
 Image map_of(std::vector<glm::vec4> texels, std::vector<float> coverage = {}) {
-    return {.width = static_cast<int>(texels.size()),
-            .height = 1,
-            .texels = std::move(texels),
-            .coverage = std::move(coverage)};
+    const auto width = static_cast<int>(texels.size());
+    return {.width = width, .height = 1, .texels = std::move(texels), .coverage = std::move(coverage)};
 }
 
 TEST(PreviewExposure, MeanIsOverBakedFiniteTexels) {

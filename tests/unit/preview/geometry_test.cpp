@@ -30,7 +30,7 @@ void add_triangle(Scene& scene, std::uint32_t material, double depth) {
     scene.instances.back().translation = {0.0, 0.0, -depth};
 }
 
-Scene scene_with_materials(std::vector<vkbake::AlphaMode> modes) {
+Scene scene_with_materials(const std::vector<vkbake::AlphaMode>& modes) {
     Scene scene;
     for (const vkbake::AlphaMode mode : modes) {
         scene.materials.emplace_back();

@@ -287,8 +287,10 @@ TEST(ThesisSampler, BlocksHoldFourByFourNeighbours) {
     std::size_t visits = 0;
     visit_samples(settings, 3, {0, 1, 0}, 0, 255, [&](std::uint32_t, std::size_t number, const Sample& sample) {
         const std::size_t block = number / 16;
-        const double phi = 0.2 * static_cast<double>(block / 2 * 4 + number % 16 / 4);
-        const double theta = 0.2 * static_cast<double>(block % 2 * 4 + number % 4);
+        const std::size_t row = block / 2 * 4 + number % 16 / 4;
+        const std::size_t column = block % 2 * 4 + number % 4;
+        const double phi = 0.2 * static_cast<double>(row);
+        const double theta = 0.2 * static_cast<double>(column);
         // Tangent +X, bitangent +Z, normal +Y.
         EXPECT_NEAR(sample.direction.x, std::sin(theta) * std::cos(phi), 1e-7);
         EXPECT_NEAR(sample.direction.z, std::sin(theta) * std::sin(phi), 1e-7);

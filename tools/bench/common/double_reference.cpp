@@ -18,7 +18,7 @@ constexpr std::uint32_t leaf_size = 8;
 constexpr double pad = 0x1p-36;
 
 /// By the volumes that the ray's direction spans with the edges. `corners` are relative to the origin.
-bool meets(const Corners& corners, const glm::dvec3& direction, double max_distance) {
+bool is_met(const Corners& corners, const glm::dvec3& direction, double max_distance) {
     const auto& [a, b, c] = corners;
     const double u = glm::dot(direction, glm::cross(c, b));
     const double v = glm::dot(direction, glm::cross(a, c));
@@ -45,8 +45,8 @@ double slack_of(const Corners& corners, const glm::dvec3& direction, double max_
     for (std::size_t i = 0; i < 3; ++i) {
         flat[i] = corners[i] - along * glm::dot(corners[i], along);
     }
-    const bool inside = meets(corners, direction, std::numeric_limits<double>::infinity()) ||
-                        meets(corners, -direction, std::numeric_limits<double>::infinity());
+    const bool inside = is_met(corners, direction, std::numeric_limits<double>::infinity()) ||
+                        is_met(corners, -direction, std::numeric_limits<double>::infinity());
     const double outline = std::min({distance_to_segment(flat[0], flat[1]), distance_to_segment(flat[1], flat[2]),
                                      distance_to_segment(flat[2], flat[0])});
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -134,6 +134,11 @@ std::uint32_t DoubleReference::split(std::uint32_t begin, std::uint32_t end) {
     return index;
 }
 
+bool DoubleReference::meets(std::uint32_t triangle, const Ray& ray) const {
+    return triangle != ray.ignored_triangle &&
+           is_met(seen_from(corners(triangle), ray.origin), glm::dvec3(ray.direction), ray.max_distance);
+}
+
 bool DoubleReference::occluded_below(std::uint32_t index, const Ray& ray) const {
     const Node& node = m_nodes[index];
     if (!passes(node.low, node.high, ray)) {
@@ -142,22 +147,22 @@ bool DoubleReference::occluded_below(std::uint32_t index, const Ray& ray) const 
     if (node.right != 0) {
         return occluded_below(index + 1, ray) || occluded_below(node.right, ray);
     }
-    return std::any_of(m_order.begin() + node.begin, m_order.begin() + node.end, [&](std::uint32_t triangle) {
-        return meets(seen_from(corners(triangle), ray.origin), glm::dvec3(ray.direction), ray.max_distance);
-    });
+    return std::any_of(m_order.begin() + node.begin, m_order.begin() + node.end,
+                       [&](std::uint32_t triangle) { return meets(triangle, ray); });
 }
 
 bool DoubleReference::occluded(const Ray& ray) const { return !m_nodes.empty() && occluded_below(0, ray); }
 
 bool DoubleReference::occluded_by_any(const Ray& ray) const {
-    return std::any_of(m_order.begin(), m_order.end(), [&](std::uint32_t triangle) {
-        return meets(seen_from(corners(triangle), ray.origin), glm::dvec3(ray.direction), ray.max_distance);
-    });
+    return std::any_of(m_order.begin(), m_order.end(), [&](std::uint32_t triangle) { return meets(triangle, ray); });
 }
 
 Slack DoubleReference::surest(const Ray& ray) const {
     Slack best{.length = -std::numeric_limits<double>::infinity()};
     for (const std::uint32_t triangle : m_order) {
+        if (triangle == ray.ignored_triangle) {
+            continue;
+        }
         const double length =
             slack_of(seen_from(corners(triangle), ray.origin), glm::dvec3(ray.direction), ray.max_distance);
         if (length > best.length) {

@@ -41,6 +41,7 @@ private:
         std::uint32_t right = 0; ///< the left child follows its parent; 0: a leaf
     };
     std::uint32_t split(std::uint32_t begin, std::uint32_t end);
+    [[nodiscard]] bool meets(std::uint32_t triangle, const Ray& ray) const;
     [[nodiscard]] bool occluded_below(std::uint32_t node, const Ray& ray) const;
     [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const;
 

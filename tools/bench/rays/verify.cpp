@@ -38,7 +38,8 @@ std::vector<Asked> rays_to_judge(const RaySet& rays, const std::vector<BlockedRa
                 if (chosen || a != e) {
                     asked.push_back({{{block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]},
                                       {x[lane], y[lane], z[lane]},
-                                      block.max_distance},
+                                      block.max_distance,
+                                      block.ignored_triangle[lane]},
                                      a,
                                      e});
                 }
