@@ -13,9 +13,7 @@
 namespace vkbake {
 
 struct TriangleAccelerator::State {
-    std::vector<std::uint32_t> numbers; // by rank
-    std::vector<std::uint32_t> ranks;   // by number; no_triangle for those that were dropped
-    Box bounds;
+    TriangleList list;
     std::unique_ptr<RayCaster> caster;
 };
 
@@ -32,24 +30,16 @@ void check(const AcceleratorSettings& settings) {
     }
 }
 
-std::unique_ptr<RayCaster> make_caster(std::vector<Triangle> triangles, const AcceleratorSettings& settings) {
+std::unique_ptr<RayCaster> make_caster(const ListedTriangles& triangles, const AcceleratorSettings& settings) {
     switch (settings.kind) {
     case Accelerator::brute:
-        return std::make_unique<BruteForce>(std::move(triangles), settings.test);
+        return std::make_unique<BruteForce>(triangles.copy(), settings.test);
     case Accelerator::clusters:
         return std::make_unique<ClusterList>(triangles, settings.cluster_splits, settings.threads, settings.test);
     case Accelerator::bvh:
         break;
     }
     return std::make_unique<HierarchyCaster>(build_hierarchy(triangles, settings.cluster_splits, settings.threads));
-}
-
-std::vector<std::uint32_t> inverse_of(const std::vector<std::uint32_t>& numbers, std::size_t count) {
-    std::vector<std::uint32_t> ranks(count, no_triangle);
-    for (std::uint32_t rank = 0; rank < numbers.size(); ++rank) {
-        ranks[numbers[rank]] = rank;
-    }
-    return ranks;
 }
 
 std::uint32_t rank_of(std::uint32_t number, const std::vector<std::uint32_t>& ranks) {
@@ -63,10 +53,9 @@ TriangleAccelerator::TriangleAccelerator(std::span<const glm::vec3> positions,
                                          const AcceleratorSettings& settings) {
     check(settings);
     const DefaultFloatState state; // what is built must not depend on the caller's either
-    TriangleList list = list_triangles(positions, canonical_order);
-    auto caster = make_caster(std::move(list.triangles), settings);
-    std::vector<std::uint32_t> ranks = inverse_of(list.numbers, canonical_order.size());
-    m_state = std::make_unique<State>(State{std::move(list.numbers), std::move(ranks), list.bounds, std::move(caster)});
+    TriangleList list = list_triangles(positions, canonical_order, settings.threads);
+    auto caster = make_caster(ListedTriangles(positions, list), settings);
+    m_state = std::make_unique<State>(State{std::move(list), std::move(caster)});
 }
 
 TriangleAccelerator::~TriangleAccelerator() = default;
@@ -74,14 +63,14 @@ TriangleAccelerator::TriangleAccelerator(TriangleAccelerator&&) noexcept = defau
 TriangleAccelerator& TriangleAccelerator::operator=(TriangleAccelerator&&) noexcept = default;
 
 bool TriangleAccelerator::occluded(const Ray& ray) const {
-    PreparedRay prepared(ray, m_state->bounds);
-    prepared.ignored_rank = rank_of(ray.ignored_triangle, m_state->ranks);
+    PreparedRay prepared(ray, m_state->list.bounds);
+    prepared.ignored_rank = rank_of(ray.ignored_triangle, m_state->list.ranks);
     return prepared.valid && m_state->caster->occluded(prepared);
 }
 
 std::optional<Hit> TriangleAccelerator::nearest(const Ray& ray) const {
-    PreparedRay prepared(ray, m_state->bounds);
-    prepared.ignored_rank = rank_of(ray.ignored_triangle, m_state->ranks);
+    PreparedRay prepared(ray, m_state->list.bounds);
+    prepared.ignored_rank = rank_of(ray.ignored_triangle, m_state->list.ranks);
     if (!prepared.valid) {
         return std::nullopt;
     }
@@ -89,24 +78,24 @@ std::optional<Hit> TriangleAccelerator::nearest(const Ray& ray) const {
     if (!hit.found) {
         return std::nullopt;
     }
-    return Hit{m_state->numbers[hit.rank], hit.distance, hit.back_side};
+    return Hit{m_state->list.numbers[hit.rank], hit.distance, hit.back_side};
 }
 
 BlockedRays TriangleAccelerator::blocked(const RayBlock& block, BlockScratch& scratch) const {
     std::array<std::uint32_t, RayBlock::lanes> ignored_ranks{};
     for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
-        ignored_ranks[lane] = rank_of(block.ignored_triangle[lane], m_state->ranks);
+        ignored_ranks[lane] = rank_of(block.ignored_triangle[lane], m_state->list.ranks);
     }
-    return m_state->caster->blocked(block, ignored_ranks, m_state->bounds, scratch);
+    return m_state->caster->blocked(block, ignored_ranks, m_state->list.bounds, scratch);
 }
 
 BlockScratch TriangleAccelerator::make_scratch() const { return m_state->caster->make_scratch(); }
 
 AcceleratorStatistics TriangleAccelerator::statistics() const {
     AcceleratorStatistics statistics = m_state->caster->statistics();
-    statistics.triangles = m_state->numbers.size();
+    statistics.triangles = m_state->list.numbers.size();
     statistics.bytes +=
-        (m_state->numbers.capacity() + m_state->ranks.capacity()) * sizeof(std::uint32_t) + sizeof(State);
+        (m_state->list.numbers.capacity() + m_state->list.ranks.capacity()) * sizeof(std::uint32_t) + sizeof(State);
     return statistics;
 }
 

@@ -1,12 +1,14 @@
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <functional>
 #include <memory>
-#include <numeric>
+#include <span>
+#include <vector>
 
-#include "base/float_state.hpp"
 #include "base/parallel.hpp"
-#include "bvh/clusters.hpp"
+#include "bvh/cluster_tree.hpp"
 #include "bvh/hierarchy.hpp"
+#include "bvh/hierarchy_part.hpp"
 #include "bvh/leaf_builder.hpp"
 #include "bvh/split.hpp"
 #include "vkbake/error.hpp"
@@ -19,202 +21,207 @@ constexpr std::size_t greatest_triangle_count = std::size_t{1} << 30U;
 constexpr std::size_t top_depth = 24;
 constexpr std::size_t cluster_depth = greatest_depth - top_depth;
 // Below this many triangles another task costs more than it saves.
-constexpr std::size_t task_size = 2048;
-constexpr std::size_t grain = 8192;
+constexpr std::size_t task_size = 4096;
+constexpr std::size_t grain = 16384;
 
-struct BinaryNode {
+/// A subtree to be: a node of the tree over the clusters, or triangles of one cluster.
+struct Subtree {
     Box box;
-    std::uint32_t left = 0; ///< slots; a leaf has neither
-    std::uint32_t right = 0;
-    std::uint32_t begin = 0; ///< of a leaf: its items
+    double half_area = 0.0; ///< −1 for a leaf: that is not opened
+    std::uint32_t begin = 0;
     std::uint32_t end = 0;
+    std::uint32_t cluster_node = 0; ///< none but where `of_clusters`
+    bool of_clusters = false;
+    std::size_t depth_left = 0;  ///< levels of cuts
+    std::uint32_t reference = 0; ///< of a leaf: as a child
 
-    [[nodiscard]] bool leaf() const { return begin < end; }
+    [[nodiscard]] bool leaf() const { return reference != 0; }
+    [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
-/// Slots are given by place, not by a counter: n items use 2·n − 1 slots at most, so each subtree knows its own, and
-/// threads neither meet nor change the result.
-class BinaryTree {
+/// The children of a node: open() them until the node is full.
+class Children {
 public:
-    BinaryTree(const std::vector<Triangle>& triangles, int cluster_splits, int threads) : m_triangles(triangles) {
-        Clustering clustering = cluster_triangles(triangles, cluster_splits, threads);
-        m_items.resize(triangles.size());
-        parallel_ranges(triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                m_items[i] = {triangles[clustering.ranks[i]].bounds(), clustering.ranks[i], 1};
-            }
-        });
-        m_clusters = std::move(clustering.clusters);
-        m_nodes.resize(2 * (m_items.size() + m_clusters.size()));
-        std::vector<BuildItem> tops;
-        for (const Cluster& cluster : m_clusters) {
-            tops.push_back({cluster.box, static_cast<std::uint32_t>(tops.size()), cluster.end - cluster.begin});
-        }
-        with_threads(threads, [&] { m_root = build_top(tops, 2 * m_items.size(), top_depth); });
-    }
+    explicit Children(const Subtree& only) { m_children[0] = only; }
 
-    [[nodiscard]] const BinaryNode& node(std::uint32_t slot) const { return m_nodes[slot]; }
-    [[nodiscard]] std::uint32_t root() const { return m_root; }
-    [[nodiscard]] std::size_t cluster_count() const { return m_clusters.size(); }
-    [[nodiscard]] std::span<const BuildItem> items(const BinaryNode& leaf) const {
-        return std::span(m_items).subspan(leaf.begin, leaf.end - leaf.begin);
+    [[nodiscard]] std::span<Subtree> all() { return {m_children.data(), m_count}; }
+    [[nodiscard]] bool full() const { return m_count == node_width; }
+    /// The child of the largest box: it is the one that most rays would open anyway (Wald, Benthin, Boulos, "Getting
+    /// Rid of Packets", 2008). A leaf only where there is nothing else.
+    [[nodiscard]] std::size_t widest() const {
+        std::size_t widest = 0;
+        for (std::size_t child = 1; child < m_count; ++child) {
+            widest = m_children[child].half_area > m_children[widest].half_area ? child : widest;
+        }
+        return widest;
+    }
+    void replace(std::size_t child, const Subtree& first, const Subtree& second) {
+        const auto place = m_children.begin() + static_cast<std::ptrdiff_t>(child);
+        const auto end = m_children.begin() + static_cast<std::ptrdiff_t>(m_count++);
+        std::copy_backward(place + 1, end, end + 1);
+        *place = first;
+        *(place + 1) = second;
     }
 
 private:
-    // Returns the slot of the subtree's root: for one cluster that of the cluster's own tree.
-    std::uint32_t build_top(std::span<BuildItem> tops, std::size_t slot, std::size_t depth_left) {
-        if (tops.size() == 1) {
-            const Cluster& cluster = m_clusters[tops.front().index];
-            const std::size_t own_slot = 2 * static_cast<std::size_t>(cluster.begin);
-            build_below(cluster.begin, cluster.end, own_slot, cluster_depth);
-            return static_cast<std::uint32_t>(own_slot);
-        }
-        const std::size_t count = split(tops, depth_left);
-        BinaryNode& node = m_nodes[slot];
-        parallel_both([&] { node.left = build_top(tops.first(count), slot + 1, depth_left - 1); },
-                      [&] { node.right = build_top(tops.subspan(count), slot + 2 * count, depth_left - 1); });
-        node.box = m_nodes[node.left].box;
-        node.box.add(m_nodes[node.right].box);
-        return static_cast<std::uint32_t>(slot);
+    std::array<Subtree, node_width> m_children;
+    std::size_t m_count = 1;
+};
+
+void run_all(std::span<const std::function<void()>> tasks) {
+    if (tasks.size() == 1) {
+        tasks.front()();
+    } else if (!tasks.empty()) {
+        const std::size_t half = tasks.size() / 2;
+        parallel_both([&] { run_all(tasks.first(half)); }, [&] { run_all(tasks.subspan(half)); });
+    }
+}
+
+/// Builds wide nodes from the top, without the levels of the binary tree between them.
+class Build {
+public:
+    Build(const ListedTriangles& triangles, ClusterTree& clusters)
+        : m_triangles(triangles), m_clusters(clusters), m_items(clusters.items()) {}
+
+    void run(HierarchyPart& part) {
+        Subtree root = subtree_of(ClusterTree::root());
+        try_leaf(root, part); // a root that is a leaf becomes an only child
+        add_node(root, 1, part);
     }
 
-    [[nodiscard]] bool fit_a_leaf(std::size_t begin, std::size_t end) const {
-        LeafBuilder leaf;
-        for (std::size_t i = begin; i < end; ++i) {
-            if (end - begin > leaf_width || !leaf.add(m_triangles[m_items[i].index])) {
-                return false;
-            }
-        }
-        return true;
+private:
+    [[nodiscard]] Subtree subtree_of(std::uint32_t cluster_node) const {
+        const ClusterTree::Node& node = m_clusters.node(cluster_node);
+        Subtree subtree{.box = node.box, .half_area = node.box.half_area(), .begin = node.begin, .end = node.end};
+        subtree.cluster_node = cluster_node;
+        subtree.of_clusters = !node.cluster();
+        subtree.depth_left = cluster_depth;
+        return subtree;
     }
 
-    void build_below(std::size_t begin, std::size_t end, std::size_t slot, std::size_t depth_left) {
-        BinaryNode& node = m_nodes[slot];
-        if (fit_a_leaf(begin, end)) {
-            node.begin = static_cast<std::uint32_t>(begin);
-            node.end = static_cast<std::uint32_t>(end);
-            for (const BuildItem& item : items(node)) {
-                node.box.add(item.box);
-            }
+    // Where they make a leaf, which vertices are whose goes with the items: nobody else needs their weight by then.
+    void try_leaf(Subtree& subtree, HierarchyPart& part) const {
+        if (subtree.size() > leaf_width || subtree.of_clusters) {
             return;
         }
-        const std::size_t count = split(std::span(m_items).subspan(begin, end - begin), depth_left);
-        const std::size_t left = slot + 1;
-        const std::size_t right = slot + 2 * count;
-        const auto build_left = [&] { build_below(begin, begin + count, left, depth_left - 1); };
-        const auto build_right = [&] { build_below(begin + count, end, right, depth_left - 1); };
-        if (end - begin > task_size) {
-            parallel_both(build_left, build_right);
+        const std::span<BuildItem> items = m_items.subspan(subtree.begin, subtree.size());
+        for (const BuildItem& item : items) {
+            m_triangles.prefetch(item.index);
+        }
+        LeafBuilder leaf;
+        for (const BuildItem& item : items) {
+            if (!leaf.add(m_triangles[item.index])) {
+                return;
+            }
+        }
+        for (std::size_t lane = 0; lane < items.size(); ++lane) {
+            items[lane].weight = leaf.corners(lane);
+        }
+        subtree.half_area = -1.0;
+        subtree.reference = leaf_child(part.leaves.size(), subtree.size());
+        part.leaves.push_back(subtree.begin);
+    }
+
+    void open(Children& children, std::size_t place, HierarchyPart& part) {
+        const Subtree& subtree = children.all()[place];
+        Subtree first;
+        Subtree second;
+        if (subtree.of_clusters) {
+            const ClusterTree::Node& node = m_clusters.node(subtree.cluster_node);
+            first = subtree_of(node.first);
+            second = subtree_of(node.second);
         } else {
-            build_left();
-            build_right();
+            const Halves halves = split(m_items.subspan(subtree.begin, subtree.size()), subtree.depth_left);
+            const std::uint32_t middle = subtree.begin + static_cast<std::uint32_t>(halves.first_count);
+            first = {.box = halves.first, .half_area = halves.first.half_area(), .begin = subtree.begin, .end = middle};
+            second = {
+                .box = halves.second, .half_area = halves.second.half_area(), .begin = middle, .end = subtree.end};
+            first.depth_left = second.depth_left = subtree.depth_left - 1;
         }
-        node.left = static_cast<std::uint32_t>(left);
-        node.right = static_cast<std::uint32_t>(right);
-        node.box = m_nodes[left].box;
-        node.box.add(m_nodes[right].box);
+        try_leaf(first, part);
+        try_leaf(second, part);
+        children.replace(place, first, second);
     }
 
-    const std::vector<Triangle>& m_triangles;
-    std::vector<Cluster> m_clusters;
-    std::vector<BuildItem> m_items;
-    std::vector<BinaryNode> m_nodes;
-    std::uint32_t m_root = 0;
-};
-
-/// Draws levels of the binary tree together into wide nodes.
-class WideTree {
-public:
-    WideTree(const BinaryTree& tree, const std::vector<Triangle>& triangles) : m_tree(tree), m_triangles(triangles) {}
-
-    Hierarchy take() && {
-        m_hierarchy.clusters = m_tree.cluster_count();
-        m_hierarchy.ranks.reserve(m_triangles.size());
-        m_hierarchy.places.resize(m_triangles.size());
-        add_node(m_tree.root(), 1);
-        m_hierarchy.nodes.shrink_to_fit();
-        m_hierarchy.leaves.shrink_to_fit();
-        return std::move(m_hierarchy);
-    }
-
-private:
-    // Opens the child of the largest box until the node is full: it is the one that most rays would open anyway (Wald,
-    // Benthin, Boulos, "Getting Rid of Packets", 2008). A root that is a leaf becomes an only child.
-    [[nodiscard]] std::vector<std::uint32_t> children_of(std::uint32_t slot) const {
-        std::vector<std::uint32_t> children{slot};
-        while (children.size() < node_width) {
-            auto widest = children.end();
-            double area = -1.0;
-            for (auto child = children.begin(); child != children.end(); ++child) {
-                const BinaryNode& node = m_tree.node(*child);
-                if (!node.leaf() && node.box.half_area() > area) {
-                    widest = child;
-                    area = node.box.half_area();
-                }
-            }
-            if (widest == children.end()) {
-                break;
-            }
-            const BinaryNode& node = m_tree.node(*widest);
-            *widest = node.left;
-            children.insert(widest + 1, node.right);
+    std::uint32_t add_node(const Subtree& subtree, std::size_t depth, HierarchyPart& part) {
+        const auto index = static_cast<std::uint32_t>(part.nodes.size());
+        WideNode& node = part.nodes.push_back(); // stays where it is
+        part.depth = std::max(part.depth, depth);
+        Children children(subtree);
+        for (std::size_t widest = 0; !children.full() && !children.all()[widest].leaf(); widest = children.widest()) {
+            open(children, widest, part);
         }
-        return children;
-    }
-
-    std::uint32_t add_node(std::uint32_t slot, std::size_t depth) {
-        const auto index = static_cast<std::uint32_t>(m_hierarchy.nodes.size());
-        m_hierarchy.depth = std::max(m_hierarchy.depth, depth);
-        WideNode wide{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            wide.planes[axis].fill(empty_low);
-            wide.planes[axis + 3].fill(empty_high);
-        }
-        m_hierarchy.nodes.push_back(wide);
-        std::size_t lane = 0;
-        for (const std::uint32_t child : children_of(slot)) {
-            const BinaryNode& node = m_tree.node(child);
-            for (int axis = 0; axis < 3; ++axis) {
-                wide.planes[static_cast<std::size_t>(axis)][lane] = node.box.low[axis];
-                wide.planes[static_cast<std::size_t>(axis) + 3][lane] = node.box.high[axis];
+        write(node, children.all());
+        std::vector<std::function<void()>> tasks;
+        const std::size_t first_below = part.below.size();
+        for (std::uint32_t lane = 0; lane < children.all().size(); ++lane) {
+            const Subtree& child = children.all()[lane];
+            if (child.leaf()) {
+                node.children[lane] = child.reference;
+            } else if (child.size() <= task_size) {
+                node.children[lane] = add_node(child, depth + 1, part);
+            } else {
+                HierarchyPart& below = *part.below.emplace_back(index, lane, std::make_unique<HierarchyPart>()).part;
+                tasks.emplace_back([this, &child, depth, &below] { add_node(child, depth + 1, below); });
             }
-            wide.children[lane++] = node.leaf() ? add_leaf(m_tree.items(node)) : add_node(child, depth + 1);
         }
-        m_hierarchy.nodes[index] = wide;
+        run_all(tasks);
+        for (std::size_t below = first_below; below < part.below.size(); ++below) {
+            part.depth = std::max(part.depth, part.below[below].part->depth);
+        }
         return index;
     }
 
-    std::uint32_t add_leaf(std::span<const BuildItem> items) {
-        LeafBuilder leaf;
-        for (const BuildItem& item : items) {
-            leaf.add(m_triangles[item.index]);
+    static void write(WideNode& node, std::span<const Subtree> children) {
+        node.children.fill(0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            node.planes[axis].fill(empty_low);
+            node.planes[axis + 3].fill(empty_high);
+            for (std::size_t lane = 0; lane < children.size(); ++lane) {
+                node.planes[axis][lane] = children[lane].box.low[static_cast<int>(axis)];
+                node.planes[axis + 3][lane] = children[lane].box.high[static_cast<int>(axis)];
+            }
         }
-        m_hierarchy.leaves.push_back(leaf.take(static_cast<std::uint32_t>(m_hierarchy.ranks.size())));
-        for (const BuildItem& item : items) {
-            m_hierarchy.places[item.index] = static_cast<std::uint32_t>(m_hierarchy.ranks.size());
-            m_hierarchy.ranks.push_back(item.index);
-        }
-        if (m_hierarchy.leaves.size() > greatest_leaf_count) {
-            throw Error(ErrorKind::bad_input, "accelerator: more than 2^27 leaves; split the scene");
-        }
-        return leaf_child(m_hierarchy.leaves.size() - 1, items.size());
     }
 
-    const BinaryTree& m_tree;
-    const std::vector<Triangle>& m_triangles;
-    Hierarchy m_hierarchy;
+    const ListedTriangles& m_triangles;
+    const ClusterTree& m_clusters;
+    std::span<BuildItem> m_items;
 };
 
 } // namespace
 
-Hierarchy build_hierarchy(const std::vector<Triangle>& triangles, int cluster_splits, int threads) {
+Hierarchy build_hierarchy(const ListedTriangles& triangles, int cluster_splits, int threads) {
     if (triangles.size() > greatest_triangle_count) {
         throw Error(ErrorKind::bad_input, "accelerator: more than 2^30 triangles; split the scene");
     }
-    if (triangles.empty()) {
-        return {};
+    Hierarchy hierarchy;
+    if (triangles.size() == 0) {
+        return hierarchy;
     }
-    return WideTree(BinaryTree(triangles, cluster_splits, threads), triangles).take();
+    HierarchyPart root;
+    UninitialisedVector<std::uint16_t> corners(triangles.size());
+    hierarchy.ranks.resize(triangles.size());
+    {
+        ClusterTree clusters(triangles, cluster_splits, top_depth, threads);
+        with_threads(threads, [&] { Build(triangles, clusters).run(root); });
+        hierarchy.clusters = clusters.cluster_count();
+        const std::span<const BuildItem> items = clusters.items();
+        parallel_ranges(items.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t place = begin; place < end; ++place) {
+                hierarchy.ranks[place] = items[place].index;
+                corners[place] = static_cast<std::uint16_t>(items[place].weight);
+            }
+        });
+    }
+    join(root, triangles, corners, hierarchy, threads);
+    hierarchy.places.resize(triangles.size());
+    parallel_ranges(triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t place = begin; place < end; ++place) {
+            hierarchy.places[hierarchy.ranks[place]] = static_cast<std::uint32_t>(place);
+        }
+    });
+    return hierarchy;
 }
 
 } // namespace vkbake

@@ -12,15 +12,16 @@ namespace vkbake {
 /// it stops at the first hit if any will do, and skips nothing else.
 class ClusterList final : public RayCaster {
 public:
-    ClusterList(const std::vector<Triangle>& triangles, int splits, int threads, TriangleTest test);
+    ClusterList(const ListedTriangles& triangles, int splits, int threads, TriangleTest test);
 
     [[nodiscard]] bool occluded(const PreparedRay& ray) const override;
     [[nodiscard]] NearestHit nearest(const PreparedRay& ray) const override;
     [[nodiscard]] AcceleratorStatistics statistics() const override;
 
 private:
-    Clustering m_clustering;
-    std::vector<Triangle> m_triangles; // as m_clustering.ranks
+    std::vector<Cluster> m_clusters;
+    std::vector<Triangle> m_triangles;  // by place
+    std::vector<std::uint32_t> m_ranks; // by place
     TriangleTest m_test;
 };
 

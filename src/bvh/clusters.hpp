@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
 #include "bvh/triangle_list.hpp"
@@ -14,7 +14,7 @@ namespace vkbake {
 /// every triangle counts): cut j is the coordinate at place ⌊j · corners / splits⌋, counted from 0.
 class ClusterGrid {
 public:
-    ClusterGrid(std::span<const Triangle> triangles, int splits, int threads);
+    ClusterGrid(const ListedTriangles& triangles, int splits, int threads);
 
     /// The cell of the triangle's centroid, x fastest. A cell is closed below and open above: a centroid on a cut
     /// belongs to the upper cell, and of equal cuts to the uppermost. The outermost cells have no outer border.
@@ -26,18 +26,18 @@ private:
     std::array<std::vector<float>, 3> m_cuts; // ascending, splits − 1 each
 };
 
-/// The triangles of one cell that is not empty: [begin, end) of Clustering::ranks.
+/// The triangles of one cell that is not empty: their places are [begin, end).
 struct Cluster {
     Box box; ///< tight around its triangles
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
 };
 
-struct Clustering {
-    std::vector<std::uint32_t> ranks; ///< every triangle once, cluster by cluster, ascending in each
-    std::vector<Cluster> clusters;    ///< in the order of their cells
-};
+/// Is told a triangle's place; called by several threads, for each triangle once.
+using PlaceTriangle = std::function<void(std::uint32_t place, std::uint32_t rank, const Box& bounds)>;
 
-[[nodiscard]] Clustering cluster_triangles(std::span<const Triangle> triangles, int splits, int threads);
+/// The clusters in the order of their cells. Triangles have places cluster by cluster, by ascending rank in each.
+[[nodiscard]] std::vector<Cluster> cluster_triangles(const ListedTriangles& triangles, int splits, int threads,
+                                                     const PlaceTriangle& place_triangle);
 
 } // namespace vkbake

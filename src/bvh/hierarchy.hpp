@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "bvh/ray_block.hpp"
 #include "bvh/triangle_list.hpp"
+#include "bvh/uninitialised.hpp"
 
 namespace vkbake {
 
@@ -75,10 +75,10 @@ static_assert(sizeof(Leaf) == 256);
 }
 
 struct Hierarchy {
-    std::vector<WideNode> nodes; ///< the root first; none if there are no triangles
-    std::vector<Leaf> leaves;
-    std::vector<std::uint32_t> ranks;  ///< of the leaves' triangles, leaf after leaf
-    std::vector<std::uint32_t> places; ///< its inverse: by rank
+    UninitialisedVector<WideNode> nodes; ///< the root first; none if there are no triangles
+    UninitialisedVector<Leaf> leaves;
+    UninitialisedVector<std::uint32_t> ranks;  ///< of the triangles by place: those of a leaf stand together
+    UninitialisedVector<std::uint32_t> places; ///< its inverse: by rank
     std::size_t clusters = 0;
     std::size_t depth = 0;
 };
@@ -90,6 +90,6 @@ struct Hierarchy {
 
 /// Clusters at the top (see clusters.hpp), binned surface-area heuristic over the clusters and in each of them. The
 /// result does not depend on `threads`. Throws Error{bad_input} for more than 2³⁰ triangles.
-[[nodiscard]] Hierarchy build_hierarchy(const std::vector<Triangle>& triangles, int cluster_splits, int threads);
+[[nodiscard]] Hierarchy build_hierarchy(const ListedTriangles& triangles, int cluster_splits, int threads);
 
 } // namespace vkbake

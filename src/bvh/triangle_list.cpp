@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -16,30 +17,63 @@ bool has_area(const Triangle& triangle) {
     return normal != glm::dvec3(0.0);
 }
 
+constexpr std::size_t grain = 8192;
+
+// Marks with no_triangle those without area, and bounds the others.
+Box bounds_of_listed(std::span<const glm::vec3> positions, std::vector<std::uint32_t>& ranks, int threads) {
+    std::vector<Box> by_worker(worker_count(threads));
+    parallel_ranges_by_worker(
+        ranks.size(), grain, threads, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+            Box box;
+            for (std::size_t number = begin; number < end; ++number) {
+                const Triangle triangle{{positions[3 * number], positions[3 * number + 1], positions[3 * number + 2]}};
+                if (has_area(triangle)) {
+                    box.add(triangle.bounds());
+                } else {
+                    ranks[number] = no_triangle;
+                }
+            }
+            by_worker[worker].add(box);
+        });
+    Box bounds;
+    for (const Box& box : by_worker) {
+        bounds.add(box);
+    }
+    return bounds;
+}
+
 } // namespace
 
-TriangleList list_triangles(std::span<const glm::vec3> positions, std::span<const std::uint32_t> canonical_order) {
+TriangleList list_triangles(std::span<const glm::vec3> positions, std::span<const std::uint32_t> canonical_order,
+                            int threads) {
     if (positions.size() != 3 * canonical_order.size()) {
         throw Error(ErrorKind::bake_failed,
                     "accelerator: the canonical order and the positions differ in length; report this");
     }
     TriangleList list;
-    list.triangles.reserve(canonical_order.size());
+    list.ranks.resize(canonical_order.size());
+    list.bounds = bounds_of_listed(positions, list.ranks, threads);
     list.numbers.reserve(canonical_order.size());
     for (const std::uint32_t number : canonical_order) {
         if (number >= canonical_order.size()) {
             throw Error(ErrorKind::bake_failed,
                         "accelerator: the canonical order names a missing triangle; report this");
         }
-        const std::size_t first = 3 * static_cast<std::size_t>(number);
-        const Triangle triangle{{positions[first], positions[first + 1], positions[first + 2]}};
-        if (has_area(triangle)) {
-            list.triangles.push_back(triangle);
+        if (list.ranks[number] != no_triangle) {
+            list.ranks[number] = static_cast<std::uint32_t>(list.numbers.size());
             list.numbers.push_back(number);
-            list.bounds.add(triangle.bounds());
         }
     }
     return list;
+}
+
+std::vector<Triangle> ListedTriangles::copy() const {
+    std::vector<Triangle> triangles;
+    triangles.reserve(size());
+    for (std::size_t rank = 0; rank < size(); ++rank) {
+        triangles.push_back((*this)[rank]);
+    }
+    return triangles;
 }
 
 } // namespace vkbake

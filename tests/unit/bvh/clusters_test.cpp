@@ -9,12 +9,37 @@
 namespace vkbake {
 namespace {
 
-std::vector<Triangle> list(const std::vector<glm::vec3>& positions) {
-    std::vector<Triangle> triangles;
-    for (std::size_t first = 0; first < positions.size(); first += 3) {
-        triangles.push_back({{positions[first], positions[first + 1], positions[first + 2]}});
+/// Keeps what ListedTriangles only points at: every triangle, as given.
+class GivenTriangles {
+public:
+    explicit GivenTriangles(std::vector<glm::vec3> positions) : m_positions(std::move(positions)) {
+        m_list.numbers.resize(m_positions.size() / 3);
+        std::iota(m_list.numbers.begin(), m_list.numbers.end(), 0U);
+        m_list.ranks = m_list.numbers;
     }
-    return triangles;
+
+    [[nodiscard]] ListedTriangles listed() const { return {m_positions, m_list}; }
+
+private:
+    std::vector<glm::vec3> m_positions;
+    TriangleList m_list;
+};
+
+struct Clustering {
+    std::vector<Cluster> clusters;
+    std::vector<std::uint32_t> ranks; ///< by place
+};
+
+Clustering cluster(const ListedTriangles& triangles, int splits, int threads) {
+    Clustering clustering;
+    clustering.ranks.resize(triangles.size(), no_triangle);
+    clustering.clusters =
+        cluster_triangles(triangles, splits, threads, [&](std::uint32_t place, std::uint32_t rank, const Box& bounds) {
+            clustering.ranks.at(place) = rank;
+            EXPECT_EQ(bounds.low, triangles[rank].bounds().low);
+            EXPECT_EQ(bounds.high, triangles[rank].bounds().high);
+        });
+    return clustering;
 }
 
 // Four triangles in a row along x; their y and z are all 0 … 1 and 0.
@@ -26,7 +51,8 @@ std::vector<glm::vec3> row() {
 }
 
 TEST(ClusterGrid, CutsStandAtTheQuartiles) {
-    const ClusterGrid grid(list(row()), 4, 1);
+    const GivenTriangles given(row());
+    const ClusterGrid grid(given.listed(), 4, 1);
     EXPECT_EQ(grid.cuts(0), (std::vector<float>{3, 6, 11}));
     // y, sorted: eight zeros, four ones; places 3, 6, 9
     EXPECT_EQ(grid.cuts(1), (std::vector<float>{0, 0, 1}));
@@ -35,7 +61,8 @@ TEST(ClusterGrid, CutsStandAtTheQuartiles) {
 }
 
 TEST(ClusterGrid, TrianglesGoToTheCellOfTheirCentroid) {
-    const std::vector<Triangle> triangles = list(row());
+    const GivenTriangles given(row());
+    const ListedTriangles triangles = given.listed();
     const ClusterGrid grid(triangles, 4, 1);
     // y = ⅓ lies in part 2 (above both zeros, below 1); z = 0 lies on all three cuts, so in the uppermost part, 3
     for (std::uint32_t i = 0; i < 4; ++i) {
@@ -44,7 +71,8 @@ TEST(ClusterGrid, TrianglesGoToTheCellOfTheirCentroid) {
 }
 
 TEST(ClusterGrid, CentroidOnACutBelongsToTheUpperCell) {
-    const std::vector<Triangle> triangles = list(row());
+    const GivenTriangles given(row());
+    const ListedTriangles triangles = given.listed();
     const ClusterGrid grid(triangles, 4, 1);
     const auto x_part = [&](float x0, float x1, float x2) {
         return grid.cell_of({{glm::vec3(x0, 0, 0), glm::vec3(x1, 1, 0), glm::vec3(x2, 0, 0)}}) % 4;
@@ -56,8 +84,9 @@ TEST(ClusterGrid, CentroidOnACutBelongsToTheUpperCell) {
 }
 
 TEST(Clusters, BoxesAreTightAndEmptyCellsLeftOut) {
-    const std::vector<Triangle> triangles = list(row());
-    const Clustering clustering = cluster_triangles(triangles, 4, 1);
+    const GivenTriangles given(row());
+    const ListedTriangles triangles = given.listed();
+    const Clustering clustering = cluster(triangles, 4, 1);
     ASSERT_EQ(clustering.clusters.size(), 4U);
     EXPECT_EQ(clustering.ranks, (std::vector<std::uint32_t>{0, 1, 2, 3}));
     EXPECT_EQ(clustering.clusters[1].box.low, glm::vec3(3, 0, 0));
@@ -68,8 +97,9 @@ TEST(Clusters, BoxesAreTightAndEmptyCellsLeftOut) {
 
 TEST(Clusters, EveryTriangleIsInOneClusterAndInItsBox) {
     for (const int splits : {1, 2, 4, 7, 64}) {
-        const std::vector<Triangle> triangles = list(test::soup_positions(500, 0.1F, 3));
-        const Clustering clustering = cluster_triangles(triangles, splits, 2);
+        const GivenTriangles given(test::soup_positions(500, 0.1F, 3));
+        const ListedTriangles triangles = given.listed();
+        const Clustering clustering = cluster(triangles, splits, 2);
         std::vector<int> seen(triangles.size());
         std::uint32_t end = 0;
         for (const Cluster& cluster : clustering.clusters) {
@@ -90,7 +120,8 @@ TEST(Clusters, EveryTriangleIsInOneClusterAndInItsBox) {
 }
 
 TEST(Clusters, NoTriangles) {
-    const Clustering clustering = cluster_triangles({}, 4, 1);
+    const GivenTriangles none({});
+    const Clustering clustering = cluster(none.listed(), 4, 1);
     EXPECT_TRUE(clustering.clusters.empty());
     EXPECT_TRUE(clustering.ranks.empty());
 }

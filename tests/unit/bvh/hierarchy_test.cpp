@@ -12,10 +12,6 @@
 namespace vkbake {
 namespace {
 
-std::vector<Triangle> list(const test::Triangles& given) {
-    return list_triangles(given.positions, given.order).triangles;
-}
-
 Box box_of(const WideNode& node, std::size_t lane) {
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -28,7 +24,7 @@ Box box_of(const WideNode& node, std::size_t lane) {
 /// Walks the whole tree; counts each triangle, and checks that it lies in every box above it.
 class Inspection {
 public:
-    Inspection(const Hierarchy& hierarchy, const std::vector<Triangle>& triangles)
+    Inspection(const Hierarchy& hierarchy, const ListedTriangles& triangles)
         : m_hierarchy(hierarchy), m_triangles(triangles), m_seen(triangles.size()) {
         if (!hierarchy.nodes.empty()) {
             Box all;
@@ -80,7 +76,7 @@ private:
     }
 
     const Hierarchy& m_hierarchy;
-    const std::vector<Triangle>& m_triangles;
+    const ListedTriangles& m_triangles;
     std::vector<int> m_seen;
     bool m_contained = true;
     std::size_t m_depth = 0;
@@ -88,7 +84,8 @@ private:
 
 void expect_sound(const test::Triangles& given) {
     SCOPED_TRACE(given.name);
-    const std::vector<Triangle> triangles = list(given);
+    const TriangleList list = list_triangles(given.positions, given.order, 0);
+    const ListedTriangles triangles(given.positions, list);
     const Hierarchy hierarchy = build_hierarchy(triangles, 4, 0);
     const Inspection inspection(hierarchy, triangles);
     EXPECT_EQ(inspection.seen(), std::vector<int>(triangles.size(), 1));
@@ -135,7 +132,9 @@ TEST(Hierarchy, DegenerateInputNeitherRecursesAwayNorLosesTriangles) {
 }
 
 TEST(Hierarchy, DoesNotDependOnThreads) {
-    const std::vector<Triangle> triangles = list(test::soup(20000, 0.05F, 4));
+    const test::Triangles soup = test::soup(20000, 0.05F, 4);
+    const TriangleList list = list_triangles(soup.positions, soup.order, 0);
+    const ListedTriangles triangles(soup.positions, list);
     const Hierarchy one = build_hierarchy(triangles, 2, 1);
     for (const int threads : {2, 0}) {
         const Hierarchy other = build_hierarchy(triangles, 2, threads);
@@ -157,11 +156,8 @@ TEST(Hierarchy, DoesNotDependOnThreads) {
 std::vector<BuildItem> items_at(const std::vector<float>& places) {
     std::vector<BuildItem> items;
     for (const float x : places) {
-        BuildItem item;
-        item.box.add(glm::vec3(x, 0.0F, 0.0F));
-        item.box.add(glm::vec3(x + 0.5F, 1.0F, 1.0F));
-        item.index = static_cast<std::uint32_t>(items.size());
-        items.push_back(item);
+        items.push_back(
+            {glm::vec3(x, 0.0F, 0.0F), glm::vec3(x + 0.5F, 1.0F, 1.0F), static_cast<std::uint32_t>(items.size()), 1});
     }
     return items;
 }
@@ -169,17 +165,22 @@ std::vector<BuildItem> items_at(const std::vector<float>& places) {
 TEST(Split, CutsBetweenTwoGroups) {
     // three boxes near 0, two near 100: any other cut has a box that spans the gap
     std::vector<BuildItem> items = items_at({100.0F, 0.0F, 101.0F, 1.0F, 2.0F});
-    EXPECT_EQ(split(items, 40), 3U);
+    const Halves halves = split(items, 40);
+    EXPECT_EQ(halves.first_count, 3U);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_LT(items[i].box.low.x, 50.0F);
+        EXPECT_LT(items[i].low.x, 50.0F);
     }
+    EXPECT_EQ(halves.first.low, glm::vec3(0.0F));
+    EXPECT_EQ(halves.first.high, glm::vec3(2.5F, 1.0F, 1.0F));
+    EXPECT_EQ(halves.second.low, glm::vec3(100.0F, 0.0F, 0.0F));
+    EXPECT_EQ(halves.second.high, glm::vec3(101.5F, 1.0F, 1.0F));
 }
 
 TEST(Split, TakesTheMedianWhereDepthRunsOutOrCentresAreEqual) {
     std::vector<BuildItem> items = items_at({100.0F, 0.0F, 101.0F, 1.0F, 2.0F});
-    EXPECT_EQ(split(items, 3), 2U);
+    EXPECT_EQ(split(items, 3).first_count, 2U);
     std::vector<BuildItem> equal = items_at(std::vector<float>(9, 1.0F));
-    EXPECT_EQ(split(equal, 40), 4U);
+    EXPECT_EQ(split(equal, 40).first_count, 4U);
 }
 
 TEST(Hierarchy, AnswersDoNotDependOnTheInstructionSet) {

@@ -63,8 +63,9 @@ private:
 template<typename Asker>
 class SubdivisionCandidate final : public Candidate {
 public:
-    SubdivisionCandidate(const TriangleList& list, std::size_t triangles)
-        : m_numbering(list, triangles), m_asker(list.triangles, list.bounds) {}
+    SubdivisionCandidate(const Surface& surface, const TriangleList& list)
+        : m_numbering(list, surface.triangle_count()),
+          m_asker(ListedTriangles(surface.positions, list).copy(), list.bounds) {}
 
     [[nodiscard]] std::size_t bytes() const override {
         return m_asker.bytes() + m_numbering.ranks.capacity() * sizeof(std::uint32_t);
@@ -89,7 +90,7 @@ template<typename Asker>
 CandidateKind of_subdivision(const std::string& name) {
     return {name, [](const Surface& surface) -> std::unique_ptr<Candidate> {
                 return std::make_unique<SubdivisionCandidate<Asker>>(
-                    list_triangles(surface.positions, surface.canonical_order), surface.triangle_count());
+                    surface, list_triangles(surface.positions, surface.canonical_order, 1));
             }};
 }
 
