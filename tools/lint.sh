@@ -19,11 +19,11 @@ fi
 # A line for each source: its folder and its path.
 units() {
     sed -n 's/^ *"file": "\(.*\)",*$/\1/p' build/lint/compile_commands.json | sort -u | grep -v vkbake_test_headers | sed -E "
+        s|^($PWD/build/lint/(tools/.*)/CMakeFiles/.*)$|\2 \1|; t
         s|^(.*/vkbake_pipeline\.dir/.*)$|src \1|; t
         s|^(.*/vkbake_([a-z_]+)\.dir/.*)$|src/\2 \1|; t
         s|^(.*/test_unit_([a-z_]+)\.dir/.*)$|tests/unit/\2 \1|; t
         s|^(.*/test_([a-z_]+)\.dir/.*)$|tests/\2 \1|; t
-        s|^($PWD/build/lint/(tools/.*)/CMakeFiles/.*)$|\2 \1|; t
         s|^($PWD/(.*))$|\2 \1|"
     for file in tests/consumer/*.cpp; do
         echo "$file $file"

@@ -111,6 +111,7 @@ glm::dvec3 unit(const glm::dvec3& v) { return v / glm::length(v); }
 Solid loft(const std::vector<Ring>& rings, Paint paint, Ends ends) {
     Solid solid;
     std::vector<std::vector<std::uint32_t>> indices;
+    indices.reserve(rings.size());
     for (const Ring& ring : rings) {
         indices.push_back(append(solid, ring));
     }

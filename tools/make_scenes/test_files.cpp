@@ -67,8 +67,9 @@ File cube() {
     // Each face in a cell of its own of a 3 × 2 grid, an eighth of a unit from its neighbours.
     Document document;
     const Patch patch = cube_patch([](std::uint32_t face) {
+        const std::uint32_t row = face / 3;
         const glm::vec2 cell{0.0625F + 0.3125F * static_cast<float>(face % 3),
-                             0.125F + 0.4375F * static_cast<float>(face / 3)};
+                             0.125F + 0.4375F * static_cast<float>(row)};
         return std::pair{cell, 0.25F};
     });
     document.add_node(node_of("cube", document.add_mesh("cube", {patch})));

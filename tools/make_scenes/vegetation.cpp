@@ -83,7 +83,8 @@ void add_leaf(Patch& leaves, const glm::dvec3& foot, const glm::dvec3& along, co
     }
     const auto grid = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
     const auto cell = 1.0F / static_cast<float>(grid);
-    const glm::vec2 corner{static_cast<float>(index % grid) * cell, static_cast<float>(index / grid) * cell};
+    const std::size_t row = index / grid;
+    const glm::vec2 corner{static_cast<float>(index % grid) * cell, static_cast<float>(row) * cell};
     for (const glm::vec2& s :
          {glm::vec2{0.1F, 0.1F}, glm::vec2{0.9F, 0.1F}, glm::vec2{0.9F, 0.9F}, glm::vec2{0.1F, 0.9F}}) {
         const glm::vec2 place = corner + cell * s;

@@ -24,6 +24,7 @@ glm::dvec2 place_of(const Camera& camera, double aspect, const glm::dvec3& world
 
 std::vector<glm::dvec3> box_corners(const glm::dvec3& low, const glm::dvec3& high) {
     std::vector<glm::dvec3> corners;
+    corners.reserve(8);
     for (int i = 0; i < 8; ++i) {
         corners.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
                              (i & 4) != 0 ? high.z : low.z);

@@ -33,7 +33,7 @@ void* take(std::size_t bytes, std::size_t alignment) {
 void give_back(void* memory) {
     if (memory != nullptr) {
         held -= static_cast<std::int64_t>(malloc_usable_size(memory));
-        std::free(memory);
+        std::free(memory); // NOLINT(cppcoreguidelines-owning-memory): this is what operator delete is made of
     }
 }
 

@@ -38,7 +38,7 @@ EmbreeScene::EmbreeScene(const EmbreeDevice& device, const EmbreeTriangles& tria
     : m_scene(rtcNewScene(device.get())), m_quality(quality) {
     rtcSetSceneFlags(m_scene.get(), quality.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
     rtcSetSceneBuildQuality(m_scene.get(), quality.build);
-    const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometryTy* const geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry, quality.build);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, triangles.corners().data(), 0,
                                sizeof(glm::vec3), triangles.indices().size());

@@ -125,6 +125,7 @@ int run(int argument_count, char** arguments) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(ErrorKind::usage);
     }
     std::vector<Result> results;
+    results.reserve(files.size());
     for (const std::string& file : files) {
         results.push_back(read_result(file));
     }

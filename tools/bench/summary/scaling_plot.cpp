@@ -83,6 +83,7 @@ std::string curve(const Axes& axes, const std::vector<Point>& points, const std:
 
 std::vector<Point> times_of(const std::vector<Result>& results, const std::string& who) {
     std::vector<Point> points;
+    points.reserve(results.size());
     for (const Result& result : results) {
         points.push_back({static_cast<double>(result.triangles),
                           1e9 / result.passes.at(who).at(true).at(result.few).rays_per_second});
@@ -98,6 +99,7 @@ std::string scaling_plot(std::vector<Result> results) {
     const std::vector<Point> ours = times_of(results, "ours");
     const std::vector<Point> embree = times_of(results, "embree robust");
     std::vector<Point> logarithm;
+    logarithm.reserve(ours.size());
     for (const Point& point : ours) {
         logarithm.push_back(
             {point.triangles, ours.front().nanoseconds * std::log(point.triangles) / std::log(ours.front().triangles)});
