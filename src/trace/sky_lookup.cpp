@@ -126,15 +126,19 @@ BorderedImages bordered_cube(const CubeSky& sky) {
     return bordered;
 }
 
-/// The greatest finite value; values that are no numbers are the reader's to refuse.
+/// Throws where a value is no radiance: load_sky replaces such values, whoever makes a sky himself must not have them.
 float greatest_value(const Image& image) {
     float greatest = 0.0F;
+    std::uint64_t wrong = 0;
     for (const glm::vec4& texel : image.texels) {
         for (const float value : {texel.x, texel.y, texel.z}) {
-            if (value > greatest && value <= std::numeric_limits<float>::max()) {
-                greatest = value;
-            }
+            wrong += value >= 0.0F && value <= std::numeric_limits<float>::max() ? 0 : 1;
+            greatest = std::max(greatest, value);
         }
+    }
+    if (wrong > 0) {
+        refuse(ErrorKind::bad_input, std::to_string(wrong) + " values of the picture are NaN, negative or not finite; "
+                                                             "replace them, or read it by load_sky, which does");
     }
     return greatest;
 }

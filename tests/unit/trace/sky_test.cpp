@@ -251,24 +251,6 @@ TEST(SkyRotation, TurnsCounterClockwiseSeenFromAbove) {
     EXPECT_NEAR(radiance(clear, {0, h, -h}).x, radiance(Sky{}, {h, h, 0}).x, 1e-5F);
 }
 
-TEST(SkyImages, AValueThatIsNoNumberStaysBetweenItsTexelsNeighbours) {
-    CubeSky cube;
-    cube.faces.fill(picture(4, 4, [](int, int) { return glm::vec3(1.0F); }));
-    cube.faces[4].texels[5].x = std::numeric_limits<float>::quiet_NaN(); // column 1, row 1 of +Z
-    Sky sky;
-    sky.source = cube;
-    const auto at = [&](float column, float row) { // the face's s is +X, its t −Y
-        return radiance(sky, {(column + 0.5F) / 2.0F - 1.0F, 1.0F - (row + 0.5F) / 2.0F, 1.0F});
-    };
-    EXPECT_TRUE(std::isnan(at(1.0F, 1.0F).x));
-    EXPECT_TRUE(std::isnan(at(1.5F, 1.5F).x));
-    EXPECT_EQ(at(1.5F, 1.5F).y, 1.0F);
-    // Exactly on the centre of a neighbour its weight is 0.
-    EXPECT_EQ(at(0.0F, 0.0F).x, 1.0F);
-    EXPECT_EQ(at(2.0F, 1.0F).x, 1.0F);
-    EXPECT_EQ(at(0.0F, 1.0F).x, 1.0F);
-}
-
 /// Bilinear in double, of a picture without a ring: rows are held, columns wrap.
 double bilinear(const Image& image, double x, double y) {
     const double column = std::floor(x);
