@@ -5,6 +5,7 @@
 #include "geometry_image/draw.hpp"
 #include "stage_clock.hpp"
 #include "surface/make_surface.hpp"
+#include "surface/resolution.hpp"
 #include "trace/tracer.hpp"
 #include "vkbake/vkbake.hpp"
 
@@ -22,8 +23,13 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
         throw Error(ErrorKind::bad_input,
                     scene.name + ": there is nothing to bake, no node shows a triangle; check the scene");
     }
+    const auto add_notes = [&](const std::vector<std::string>& notes) {
+        bake.notes.insert(bake.notes.end(), notes.begin(), notes.end());
+    };
+    add_notes(check_resolution(scene, bake.surface));
     bake.atlas = clock.run("atlas", [&] { return make_atlas(scene, bake.surface, settings); });
-    bake.notes.insert(bake.notes.end(), bake.atlas.notes.begin(), bake.atlas.notes.end());
+    add_notes(bake.atlas.notes);
+    add_notes(note_small_texels(bake.surface, bake.atlas));
     const Tracer tracer = clock.run("accelerator", [&] { return Tracer(bake.surface, sky, settings); });
 
     const std::size_t pages = bake.atlas.pages.size();

@@ -2,6 +2,7 @@
 #include "atlas/make_atlas.hpp"
 #include "base/boundary.hpp"
 #include "surface/make_surface.hpp"
+#include "surface/resolution.hpp"
 #include "vkbake/vkbake.hpp"
 
 #include <algorithm>
@@ -80,11 +81,16 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
         inspection.notes.emplace_back("there is nothing to bake: no node shows a triangle");
         return;
     }
+    const auto add_notes = [&](const std::vector<std::string>& notes) {
+        inspection.notes.insert(inspection.notes.end(), notes.begin(), notes.end());
+    };
+    add_notes(check_resolution(scene, surface));
     const Atlas atlas = make_atlas(scene, surface, settings);
     inspection.charts = atlas.chart_count;
     inspection.pages = atlas.pages.size();
     inspection.density = atlas.density;
-    inspection.notes.insert(inspection.notes.end(), atlas.notes.begin(), atlas.notes.end());
+    add_notes(atlas.notes);
+    add_notes(note_small_texels(surface, atlas));
     for (std::uint32_t page = 0; page < atlas.pages.size(); ++page) {
         inspection.covered_texels += static_cast<std::uint64_t>(std::llround(expected_coverage(atlas, page)));
     }

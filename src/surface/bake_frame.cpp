@@ -65,6 +65,27 @@ double round_to_grid(double reference, double offset, double grid) {
     return grid * (whole + std::floor((steps - whole) + offset / grid + 0.5));
 }
 
+/// Areas, the frame's scale, its square and their reciprocals are then normal doubles: no later step can overflow or
+/// vanish. A single point has no size and any frame will do.
+void check_range(const Scene& scene, double extent, const Box& box, const glm::dvec3& reference) {
+    constexpr double largest = 0x1p300;
+    constexpr double smallest = 0x1p-300;
+    const auto refuse = [&](const std::string& what) { throw Error(ErrorKind::bad_input, scene.name + ": " + what); };
+    if (!(extent <= largest)) {
+        refuse("the scene is larger than 2^300 m; scale it down");
+    }
+    if (extent > 0.0 && extent < smallest) {
+        refuse("the scene is smaller than 2^-300 m; scale it up");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const double place =
+            std::max(std::abs(reference[axis] + box.low[axis]), std::abs(reference[axis] + box.high[axis]));
+        if (!(place <= 2.0 * largest)) {
+            refuse("the scene lies farther than 2^300 m from the origin; move it there");
+        }
+    }
+}
+
 } // namespace
 
 glm::dvec3 transform_vertex(const glm::dmat3& linear, const glm::vec3& vertex) {
@@ -104,9 +125,7 @@ BakeFrame make_bake_frame(const Scene& scene) {
     }
     const glm::dvec3 size = box.high - box.low;
     const double extent = std::max({size.x, size.y, size.z});
-    if (!std::isfinite(extent)) {
-        throw Error(ErrorKind::bad_input, scene.name + ": the scene is too large for double precision; scale it down");
-    }
+    check_range(scene, extent, box, reference);
     int size_exponent = 0; // of the least power of two that is not below the extent
     if (extent > 0.0) {
         const double mantissa = std::frexp(extent, &size_exponent);
