@@ -21,8 +21,14 @@ namespace vkbake {
 /// "1.2.3"
 [[nodiscard]] std::string version();
 
+struct LoadSettings {
+    /// Files that the scene refers to may lie outside its folder (by "..", never by an absolute path): for scenes that
+    /// are trusted. Links are followed either way.
+    bool outside_files = false;
+};
+
 /// Reads .gltf or .glb. Throws Error{bad_input} that names file, node, mesh or accessor.
-[[nodiscard]] Scene load_scene(const std::filesystem::path& file);
+[[nodiscard]] Scene load_scene(const std::filesystem::path& file, const LoadSettings& settings = {});
 
 /// `text`: "clear", "R,G,B", an equirectangular .hdr/.exr, a cube map as a strip or cross (found from its aspect), or
 /// six files in Vulkan's face order, separated by commas. Throws Error{bad_input}.

@@ -20,6 +20,7 @@ struct BakeOptions {
     std::string output;
     std::string device;
     std::string format = "exr";
+    LoadSettings load;
     SkyOptions sky;
     Settings settings;
     bool json = false;
@@ -90,7 +91,7 @@ int run_bake(BakeOptions options) {
         options.output = std::filesystem::path(options.scene).stem().string() + "-baked";
     }
     catch_interrupts();
-    const Scene scene = load_scene(options.scene);
+    const Scene scene = load_scene(options.scene, options.load);
     const Sky sky = options.sky.load();
     const Device device = open_device({.name = options.device});
     Bake result;
@@ -121,6 +122,7 @@ void add_bake_command(CLI::App& app, Invocation& invocation) {
     command.add_option("scene", options->scene, "The scene, .gltf or .glb")->required()->type_name("SCENE");
     command.add_option("-o,--output", options->output, "Folder for the results; without it, SCENE-baked here")
         ->type_name("DIR");
+    add_load_options(command, options->load);
     add_sky_options(command, options->sky);
     add_atlas_options(command, options->settings);
     add_light_options(command, options->settings);

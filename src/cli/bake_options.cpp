@@ -12,6 +12,11 @@ Sky SkyOptions::load() const {
     return sky;
 }
 
+void add_load_options(CLI::App& app, LoadSettings& settings) {
+    app.add_flag("--outside-files", settings.outside_files,
+                 "Let the scene refer to files outside its own folder (by \"..\")");
+}
+
 void add_sky_options(CLI::App& app, SkyOptions& options) {
     app.add_option("--sky", options.source,
                    "The light from all around: clear (the CIE standard clear sky), a colour R,G,B, an equirectangular "

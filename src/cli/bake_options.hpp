@@ -7,6 +7,7 @@
 
 #include "vkbake/settings.hpp"
 #include "vkbake/sky.hpp"
+#include "vkbake/vkbake.hpp"
 
 namespace vkbake::cli {
 
@@ -20,6 +21,7 @@ struct SkyOptions {
 };
 
 /// `options` must outlive the parsing.
+void add_load_options(CLI::App& app, LoadSettings& settings);
 void add_sky_options(CLI::App& app, SkyOptions& options);
 void add_atlas_options(CLI::App& app, Settings& settings);
 void add_light_options(CLI::App& app, Settings& settings);

@@ -14,6 +14,7 @@ namespace {
 
 struct InspectOptions {
     std::string scene;
+    LoadSettings load;
     Settings settings;
     bool json = false;
 };
@@ -54,12 +55,13 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
     const auto options = std::make_shared<InspectOptions>();
     CLI::App& command = *app.add_subcommand("inspect", "Say what a scene has and what a bake of it would make");
     command.add_option("scene", options->scene, "The scene, .gltf or .glb")->required()->type_name("SCENE");
+    add_load_options(command, options->load);
     add_atlas_options(command, options->settings);
     add_light_options(command, options->settings);
     command.add_flag("--json", options->json, "Print it as JSON");
     command.final_callback([options, &invocation] {
         invocation.run = [options] {
-            const Inspection inspection = inspect(load_scene(options->scene), options->settings);
+            const Inspection inspection = inspect(load_scene(options->scene, options->load), options->settings);
             if (options->json) {
                 fmt::print("{}\n", to_json(inspection));
             } else {

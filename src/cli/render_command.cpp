@@ -21,6 +21,7 @@ struct RenderOptions {
     std::vector<double> eye;
     std::vector<double> target;
     double field_of_view = 45.0;
+    LoadSettings load;
     SkyOptions sky;
     RenderSettings settings;
 };
@@ -74,7 +75,7 @@ int run_render(RenderOptions options) {
                                       : glm::dvec3(options.target[0], options.target[1], options.target[2]);
         options.settings.view = look_at(eye, target, options.field_of_view);
     }
-    const Scene scene = load_scene(file);
+    const Scene scene = load_scene(file, options.load);
     const Image picture = render(scene, options.sky.load(), options.settings, open_device({.name = options.device}));
     write_image(options.output, picture);
     fmt::print("{}\n", options.output);
@@ -90,6 +91,7 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
         ->required()
         ->type_name("BAKED");
     command.add_option("-o,--output", options->output, "The picture; without it, BAKED.png here")->type_name("FILE");
+    add_load_options(command, options->load);
     add_sky_options(command, options->sky);
     command.add_option("--width", options->settings.width, "Pixels")
         ->check(CLI::Range(1, 16384))

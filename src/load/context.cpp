@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "load/uri.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake::gltf {
@@ -11,6 +12,13 @@ void Context::fail(const std::string& what, const std::string& to_do) const {
 }
 
 void Context::fail(const std::string& what) const { fail(what, "export the scene again, or repair the file"); }
+
+void Context::require_inside(const std::string& path, const std::string& where) const {
+    if (!m_outside_files && leaves_folder(path)) {
+        fail(quoted(path) + " (" + where + ") lies outside the scene's folder",
+             "put it beside the scene, or allow it (--outside-files)");
+    }
+}
 
 void Context::note(const std::string& line) {
     constexpr std::size_t most_notes = 100;

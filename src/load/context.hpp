@@ -10,7 +10,9 @@ namespace vkbake::gltf {
 /// Carried through the loading of one file.
 class Context {
 public:
-    explicit Context(std::string file) : m_file(std::move(file)) {}
+    /// `outside_files`: LoadSettings::outside_files.
+    explicit Context(std::string file, bool outside_files = false)
+        : m_file(std::move(file)), m_outside_files(outside_files) {}
 
     /// Throws Error{bad_input} "FILE: what; to_do".
     [[noreturn]] void fail(const std::string& what, const std::string& to_do) const;
@@ -23,8 +25,12 @@ public:
 
     [[nodiscard]] const std::string& file() const { return m_file; }
 
+    /// Throws where a relative path, which `where` names, leads out of the scene's folder and that was not asked for.
+    void require_inside(const std::string& path, const std::string& where) const;
+
 private:
     std::string m_file;
+    bool m_outside_files;
     std::vector<std::string> m_notes;
     std::size_t m_dropped_notes = 0;
 };

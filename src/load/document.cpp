@@ -96,6 +96,7 @@ std::vector<std::byte> read_buffer_uri(const Context& context, Document& documen
     if (!path) {
         buffer.fail("the URI \"" + printable(uri) + "\" is not a path relative to the scene's folder");
     }
+    context.require_inside(*path, buffer.where());
     const std::string what = quoted(*path) + " (" + buffer.where() + ")";
     reserve_bytes(context, document, std::min(file_size(context, document.directory / *path, what), length));
     return read_file(context, document.directory / *path, what, length);

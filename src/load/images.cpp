@@ -122,6 +122,7 @@ private:
         if (!path) {
             image.fail("the URI \"" + printable(uri) + "\" is not a path relative to the scene's folder");
         }
+        m_context.require_inside(*path, image.where());
         if (source.declared.empty()) {
             source.declared = media_type_of_extension(*path);
         }

@@ -42,8 +42,8 @@ Scene load(gltf::Context& context, const std::filesystem::path& file) {
 
 } // namespace
 
-Scene load_scene(const std::filesystem::path& file) {
-    gltf::Context context(file.string());
+Scene load_scene(const std::filesystem::path& file, const LoadSettings& settings) {
+    gltf::Context context(file.string(), settings.outside_files);
     try {
         return load(context, file);
     } catch (const Error&) {

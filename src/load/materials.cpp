@@ -142,6 +142,7 @@ private:
         if (source.extras.Has("vkbake") && source.extras.Get("vkbake").Has("lightMap")) {
             const tinygltf::Value& file = source.extras.Get("vkbake").Get("lightMap");
             use.linear_file = file.IsString() ? file.Get<std::string>() : std::string();
+            m_context.require_inside(use.linear_file, m_where);
         }
         return use;
     }

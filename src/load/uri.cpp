@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 
 namespace vkbake::gltf {
 
@@ -128,6 +129,11 @@ std::optional<std::string> relative_path(std::string_view uri) {
         return std::nullopt;
     }
     return path;
+}
+
+bool leaves_folder(const std::string& path) {
+    const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+    return normal.is_absolute() || (!normal.empty() && *normal.begin() == "..");
 }
 
 } // namespace vkbake::gltf

@@ -23,4 +23,7 @@ struct DataUri {
 /// path, a network path, a query or fragment, a backslash, a bad escape, a NUL, nothing at all.
 [[nodiscard]] std::optional<std::string> relative_path(std::string_view uri);
 
+/// Whether a relative path climbs out of the folder that it begins in. Links are not followed.
+[[nodiscard]] bool leaves_folder(const std::string& path);
+
 } // namespace vkbake::gltf
