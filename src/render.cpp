@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "base/boundary.hpp"
 #include "imageio/decode.hpp"
 #include "preview/camera.hpp"
 #include "preview/preview.hpp"
@@ -21,6 +22,7 @@
 #include "trace/sky_sum.hpp"
 #include "vkbake/error.hpp"
 #include "vkbake/vkbake.hpp"
+#include "write/manifest.hpp"
 
 namespace vkbake {
 
@@ -119,9 +121,7 @@ PreviewImages decode(const Scene& scene, bool light_only) {
     return images;
 }
 
-} // namespace
-
-Image render(const Scene& baked, const Sky& sky, const RenderSettings& settings, const Device& device) {
+Image draw(const Scene& baked, const Sky& sky, const RenderSettings& settings, const Device& device) {
     const PreviewImages images = decode(baked, settings.light_only);
     const double aspect = static_cast<double>(std::max(settings.width, 1)) / std::max(settings.height, 1);
     const Camera camera = settings.view ? *settings.view : choose_camera(baked, settings.camera, aspect);
@@ -136,6 +136,17 @@ Image render(const Scene& baked, const Sky& sky, const RenderSettings& settings,
                                   .exposure = std::exp2(settings.exposure),
                                   .metered = true};
     return draw_preview(device.context(), baked, images, camera, radiance, preview);
+}
+
+} // namespace
+
+Image render(const Scene& baked, const Sky& sky, const RenderSettings& settings, const Device& device) {
+    return at_boundary([&] {
+        if (baked.source) {
+            check_bake_of(baked.directory, baked.name + ".glb");
+        }
+        return draw(baked, sky, settings, device);
+    });
 }
 
 } // namespace vkbake

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/boundary.hpp"
 #include "imageio/cube_layout.hpp"
 #include "vkbake/vkbake.hpp"
 
@@ -141,9 +142,7 @@ void read_one(Sky& sky, const std::string& file) {
     }
 }
 
-} // namespace
-
-Sky load_sky(const std::string& text) {
+Sky read_sky(const std::string& text) {
     Sky sky;
     sky.name = text;
     if (text == "clear") {
@@ -172,6 +171,12 @@ Sky load_sky(const std::string& text) {
         repair(faces, sky.notes);
     }
     return sky;
+}
+
+} // namespace
+
+Sky load_sky(const std::string& text) {
+    return at_boundary([&] { return read_sky(text); });
 }
 
 } // namespace vkbake

@@ -1,3 +1,4 @@
+#include "base/boundary.hpp"
 #include "imageio/channels.hpp"
 #include "imageio/samples.hpp"
 #include "vkbake/vkbake.hpp"
@@ -5,8 +6,10 @@
 namespace vkbake {
 
 Image read_image(const std::filesystem::path& file) {
-    const auto samples = read_samples<float>(file);
-    return to_image(samples, samples.eight_bit ? Transfer::srgb : Transfer::linear);
+    return at_boundary([&] {
+        const auto samples = read_samples<float>(file);
+        return to_image(samples, samples.eight_bit ? Transfer::srgb : Transfer::linear);
+    });
 }
 
 } // namespace vkbake

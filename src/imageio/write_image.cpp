@@ -2,6 +2,7 @@
 #include <cctype>
 #include <string>
 
+#include "base/boundary.hpp"
 #include "imageio/encode.hpp"
 #include "imageio/staged_file.hpp"
 #include "vkbake/vkbake.hpp"
@@ -29,7 +30,7 @@ ImageFormat format_of(const std::filesystem::path& file) {
 } // namespace
 
 void write_image(const std::filesystem::path& file, const Image& image) {
-    StagedFile(file, encode_image(image, format_of(file)).bytes).commit();
+    at_boundary([&] { StagedFile(file, encode_image(image, format_of(file)).bytes).commit(); });
 }
 
 } // namespace vkbake

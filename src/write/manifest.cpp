@@ -1,5 +1,6 @@
 #include "write/manifest.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -137,6 +138,22 @@ Json read_manifest(const std::filesystem::path& directory) {
         return manifest;
     } catch (const Json::exception& error) {
         refuse(path, error.what());
+    }
+}
+
+void check_bake_of(const std::filesystem::path& directory, const std::string& file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(directory / "manifest.json", ignored)) {
+        return;
+    }
+    const Json manifest = Json::parse(read_bytes(directory / "manifest.json"), nullptr, false);
+    if (!manifest.is_object() || !manifest.contains("vkbake") || !manifest.contains("files")) {
+        return; // another program's
+    }
+    const Json& files = manifest["files"];
+    const auto is_ours = [&](const Json& entry) { return entry.is_object() && entry.value("file", Json()) == file; };
+    if (files.is_array() && std::any_of(files.begin(), files.end(), is_ours)) {
+        (void)read_manifest(directory);
     }
 }
 

@@ -41,4 +41,8 @@ struct WrittenMap {
 /// outside the directory, or is not the one that was written.
 [[nodiscard]] Json read_manifest(const std::filesystem::path& directory);
 
+/// For who reads a scene that may be a bake's: where a manifest of this project lies beside it and lists `file`, all of
+/// read_manifest's checks; else nothing. A run that was killed between two renames leaves files of two bakes.
+void check_bake_of(const std::filesystem::path& directory, const std::string& file);
+
 } // namespace vkbake

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/boundary.hpp"
 #include "imageio/encode.hpp"
 #include "imageio/staged_file.hpp"
 #include "vkbake/vkbake.hpp"
@@ -141,12 +142,14 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
 } // namespace
 
 std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings) {
-    check(scene, bake);
-    try {
-        return write_files(scene, bake, settings);
-    } catch (const Json::exception& error) {
-        throw Error(ErrorKind::output, std::string("write: ") + error.what() + "; use names in UTF-8");
-    }
+    return at_boundary([&] {
+        check(scene, bake);
+        try {
+            return write_files(scene, bake, settings);
+        } catch (const Json::exception& error) {
+            throw Error(ErrorKind::output, std::string("write: ") + error.what() + "; use names in UTF-8");
+        }
+    });
 }
 
 } // namespace vkbake
