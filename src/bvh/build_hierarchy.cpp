@@ -161,7 +161,8 @@ private:
             } else if (child.size() <= task_size) {
                 node.children[lane] = add_node(child, depth + 1, part);
             } else {
-                HierarchyPart& below = *part.below.emplace_back(index, lane, std::make_unique<HierarchyPart>()).part;
+                part.below.push_back({index, lane, std::make_unique<HierarchyPart>()});
+                HierarchyPart& below = *part.below.back().part;
                 tasks.emplace_back([this, &child, depth, &below] { add_node(child, depth + 1, below); });
             }
         }

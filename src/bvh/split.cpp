@@ -149,7 +149,7 @@ Cut best_cut(const Bins& bins, const Binning& binning) {
     if (!(unit > std::numeric_limits<float>::min() && unit < infinity)) {
         return {};
     }
-    std::array<Float4, most_bins> right_costs;
+    std::array<Float4, most_bins> right_costs; // NOLINT(cppcoreguidelines-pro-type-member-init): as many as are used
     Bin right;
     for (std::size_t bin = binning.count - 1; bin > 0; --bin) {
         right.add(bins[bin]);
