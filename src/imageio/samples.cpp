@@ -34,6 +34,36 @@ constexpr OIIO::TypeDesc::BASETYPE value_type() {
     return std::is_same_v<Value, float> ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
 }
 
+/// All channels of the first part at full size, where a file's truth is; mip levels and layers are left alone. Band by
+/// band of rows: a few bytes that announce a huge picture end at the first band, before there is memory for it.
+template<typename Value>
+bool read_rows(OIIO::ImageInput& input, std::vector<Value>& values) {
+    const OIIO::ImageSpec spec = input.spec();
+    constexpr std::size_t band_bytes = std::size_t{16} << 20U;
+    const std::size_t row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
+    const int least = std::max(spec.tile_height, 1); // tiles are read whole
+    const auto fitting = static_cast<int>(std::min<std::size_t>(band_bytes / (row * sizeof(Value)), 1U << 20U));
+    const int band = std::max(fitting / least, 1) * least;
+    values.reserve(row * static_cast<std::size_t>(spec.height)); // address space, no memory yet
+    for (int y = 0; y < spec.height;) {
+        const int rows = std::min(band, spec.height - y);
+        const std::size_t begin = values.size();
+        values.resize(begin + row * static_cast<std::size_t>(rows));
+        Value* const to = &values[begin];
+        const int first = spec.y + y;
+        const bool done =
+            spec.tile_width > 0
+                ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, first, first + rows, spec.z, spec.z + 1, 0,
+                                   spec.nchannels, value_type<Value>(), to)
+                : input.read_scanlines(0, 0, first, first + rows, spec.z, 0, spec.nchannels, value_type<Value>(), to);
+        if (!done) {
+            return false;
+        }
+        y += rows;
+    }
+    return true;
+}
+
 template<typename Value>
 Samples<Value> read_open_input(OIIO::ImageInput& input, const std::string& where, const SampleLimits& limits) {
     const OIIO::ImageSpec& spec = input.spec();
@@ -56,9 +86,7 @@ Samples<Value> read_open_input(OIIO::ImageInput& input, const std::string& where
     samples.channels.resize(static_cast<std::size_t>(spec.nchannels));
     samples.integer = !spec.format.is_floating_point();
     samples.eight_bit = samples.integer && spec.format.size() == 1;
-    samples.values.resize(bytes / sizeof(Value));
-    // A file's truth is in its first part at full size; other parts (mip levels, layers) are left alone.
-    if (!input.read_image(0, 0, 0, spec.nchannels, value_type<Value>(), samples.values.data())) {
+    if (!read_rows(input, samples.values)) {
         refuse(where, "cannot be decoded: " + input.geterror(), "the file is damaged or incomplete, get it again");
     }
     return samples;
