@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 rays=${1:-1000000000}
 seconds=${2:-600}
 preset=${3:-release}
+tools/setup.sh
 for each in release "$preset"; do
     cmake --preset "$each" -DVKBAKE_TOOLS=ON >/dev/null
     cmake --build --preset "$each" --target vkbake_extremes >/dev/null
