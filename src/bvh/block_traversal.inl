@@ -136,7 +136,7 @@ private:
         for (; strata != 0; strata &= strata - 1) {
             const auto s = static_cast<std::uint32_t>(std::countr_zero(strata));
             fill_numbers(node, &m_scratch.nodes[m_ray_count]);
-            m_ray_count += compress_lanes(16 * s, met[s], &m_scratch.rays[m_ray_count]);
+            m_ray_count += compress(lane_numbers, met[s], &m_scratch.rays[m_ray_count], 16 * s);
         }
         work_off_rays(ray_batch);
     }
@@ -222,7 +222,7 @@ private:
                 continue;
             }
             fill_numbers(leaf, &m_leaves[m_leaf_count]);
-            m_leaf_count += compress_lanes(16 * s, met[s], &m_leaf_rays[m_leaf_count]);
+            m_leaf_count += compress(lane_numbers, met[s], &m_leaf_rays[m_leaf_count], 16 * s);
         }
         if (m_leaf_count >= leaf_batch) {
             work_off_leaves();

@@ -135,38 +135,23 @@ HWY_INLINE RowMask mask_from_bits(unsigned bits) {
     });
 }
 
-/// Writes the numbers in the lanes of `bits` one after the other from `to` on, where room for 16 must be. Returns how
-/// many.
-HWY_INLINE std::size_t compress(const std::array<std::uint32_t, row_size>& numbers, unsigned bits, std::uint32_t* to) {
+/// Writes the numbers in the lanes of `bits`, each with `added`, one after the other from `to` on, where room for 16
+/// must be. Returns how many.
+HWY_INLINE std::size_t compress(const std::array<std::uint32_t, row_size>& numbers, unsigned bits, std::uint32_t* to,
+                                std::uint32_t added = 0) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
+    const RowMask mask = mask_from_bits(bits);
     std::size_t count = 0;
     for (std::size_t p = 0; p < part_count; ++p) {
-        const unsigned part = bits >> (p * part_size);
-        alignas(8) const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(part), // NOLINT(modernize-avoid-c-arrays)
-                                                  static_cast<std::uint8_t>(part >> 8U)};
-        const auto mask = hn::LoadMaskBits(unsigned_lanes, bytes);
-        const auto values = hn::Load(unsigned_lanes, numbers.data() + p * part_size);
-        count += hn::CompressStore(values, mask, unsigned_lanes, to + count);
+        const auto values = hn::Load(unsigned_lanes, numbers.data() + p * part_size) + hn::Set(unsigned_lanes, added);
+        count += hn::CompressStore(values, hn::RebindMask(unsigned_lanes, mask.part[p]), unsigned_lanes, to + count);
     }
     return count;
 }
 
-/// Writes `first` + l for each lane l of `bits`, likewise.
-HWY_INLINE std::size_t compress_lanes(std::uint32_t first, unsigned bits, std::uint32_t* to) {
-    alignas(64) static constexpr std::array<std::uint32_t, row_size> lanes{0, 1, 2,  3,  4,  5,  6,  7,
-                                                                           8, 9, 10, 11, 12, 13, 14, 15};
-    const hn::RebindToUnsigned<Lanes> unsigned_lanes;
-    std::size_t count = 0;
-    for (std::size_t p = 0; p < part_count; ++p) {
-        const unsigned part = bits >> (p * part_size);
-        alignas(8) const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(part), // NOLINT(modernize-avoid-c-arrays)
-                                                  static_cast<std::uint8_t>(part >> 8U)};
-        const auto mask = hn::LoadMaskBits(unsigned_lanes, bytes);
-        const auto values = hn::Load(unsigned_lanes, lanes.data() + p * part_size) + hn::Set(unsigned_lanes, first);
-        count += hn::CompressStore(values, mask, unsigned_lanes, to + count);
-    }
-    return count;
-}
+/// Each lane's own number.
+alignas(64) constexpr std::array<std::uint32_t, row_size> lane_numbers{0, 1, 2,  3,  4,  5,  6,  7,
+                                                                       8, 9, 10, 11, 12, 13, 14, 15};
 
 /// The lanes whose number is not this one.
 HWY_INLINE RowMask unlike(const std::array<std::uint32_t, row_size>& numbers, std::uint32_t number) {

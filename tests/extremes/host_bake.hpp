@@ -111,7 +111,7 @@ inline Primitive sphere_of(float radius, int rings = 12) {
             const glm::dvec3 unit(std::sin(polar) * std::cos(around), std::cos(polar),
                                   std::sin(polar) * std::sin(around));
             add_vertex(sphere, glm::vec3(static_cast<double>(radius) * unit));
-            sphere.normals.push_back(glm::vec3(unit));
+            sphere.normals.emplace_back(unit);
         }
     }
     const auto at = [&](int ring, int side) { return static_cast<std::uint32_t>(ring * sides + side % sides); };

@@ -55,6 +55,7 @@ TEST(Input, ImagesAndLightMapsKeepToTheFolderToo) {
 
 /// Whatever a node is called, a refusal is one short line and an object's name is a file's.
 TEST(Input, NamesOfAnyKind) {
+    // NOLINTNEXTLINE(bugprone-string-constructor): as long as that
     for (const std::string& name : {std::string(10'000'000, 'n'), std::string("two\nlines\x1b[31m"),
                                     std::string("../../etc/passwd"), std::string()}) {
         Scene scene = scene_of(floor_of(0.5F));

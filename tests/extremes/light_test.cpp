@@ -20,9 +20,12 @@ Sky picture(int width, int height, const std::function<glm::vec3(int, int)>& rad
     return {.source = EquirectangularSky{std::move(image)}};
 }
 
-Sky cube(int size, float radiance) {
+Sky cube_sky(int size, float radiance) {
     const Image face{
-        size, size, std::vector<glm::vec4>(static_cast<std::size_t>(size) * size, glm::vec4(radiance)), {}};
+        size,
+        size,
+        std::vector<glm::vec4>(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), glm::vec4(radiance)),
+        {}};
     return {.source = CubeSky{{face, face, face, face, face, face}}};
 }
 
@@ -57,7 +60,7 @@ TEST(Light, OneRadianceIsKeptFromTheFaintestToTheMostBlinding) {
                 error_in_last_places(
                     light_on_a_plane(picture(8, 4, [&](int, int) { return glm::vec3(radiance); }), rays), radiance),
                 4.0);
-            EXPECT_LE(error_in_last_places(light_on_a_plane(cube(4, radiance), rays), radiance), 4.0);
+            EXPECT_LE(error_in_last_places(light_on_a_plane(cube_sky(4, radiance), rays), radiance), 4.0);
         }
     }
 }
@@ -102,7 +105,7 @@ TEST(Light, BlackAndTinySkies) {
     EXPECT_GT(black.statistics.covered_texels, 16U);
     EXPECT_LE(error_in_last_places(light_on_a_plane(picture(1, 1, [](int, int) { return glm::vec3(0.7F); }), 64), 0.7F),
               4.0);
-    EXPECT_LE(error_in_last_places(light_on_a_plane(cube(1, 0.7F), 64), 0.7F), 4.0);
+    EXPECT_LE(error_in_last_places(light_on_a_plane(cube_sky(1, 0.7F), 64), 0.7F), 4.0);
 }
 
 /// What a file brings is cleaned by the reader, with a note; a sky that a caller makes with such values is refused.
@@ -111,7 +114,7 @@ TEST(Light, RadianceThatIsNoneIsRefusedWhereNoReaderCleansIt) {
     for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), infinite, -infinite, -1.0F, -1e-30F}) {
         SCOPED_TRACE(wrong);
         const auto one_wrong = [&](int x, int y) { return glm::vec3(x == 3 && y == 2 ? wrong : 1.0F, 1.0F, 1.0F); };
-        for (Sky sky : {picture(8, 4, one_wrong), cube(4, 1.0F), constant_sky({1.0F, wrong, 1.0F})}) {
+        for (Sky sky : {picture(8, 4, one_wrong), cube_sky(4, 1.0F), constant_sky({1.0F, wrong, 1.0F})}) {
             if (auto* faces = std::get_if<CubeSky>(&sky.source)) {
                 faces->faces[2].texels[5].y = wrong;
             }

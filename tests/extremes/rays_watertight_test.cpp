@@ -10,22 +10,6 @@ namespace {
 constexpr int many = amount(100000, 10000);
 constexpr int some = amount(10000, 2000);
 
-// A corner, or a point of an edge: what neighbours share.
-glm::vec3 shared_point(Random& random, const Triangles& mesh) {
-    const auto corners = mesh.corners(random.below(mesh.count()));
-    const std::size_t first = random.below(3);
-    const glm::vec3& a = corners[first];
-    const glm::vec3& b = corners[(first + 1) % 3];
-    switch (random.below(3)) {
-    case 0:
-        return a;
-    case 1:
-        return 0.5F * (a + b);
-    default:
-        return a + random.between(0.0F, 1.0F) * (b - a);
-    }
-}
-
 int escapes(const Triangles& mesh, Accelerator kind, int rays, float inner) {
     const TriangleAccelerator accelerator = accelerate(mesh, kind);
     Random random(31);
@@ -36,11 +20,6 @@ int escapes(const Triangles& mesh, Accelerator kind, int rays, float inner) {
         escaped += accelerator.occluded(ray) && accelerator.nearest(ray) ? 0 : 1;
     }
     return escaped;
-}
-
-Triangles cube(int n) {
-    return join("cube", {sheet(n, 0, -1.0F), sheet(n, 0, 1.0F), sheet(n, 1, -1.0F), sheet(n, 1, 1.0F),
-                         sheet(n, 2, -1.0F), sheet(n, 2, 1.0F)});
 }
 
 TEST(RaysWatertight, NoneLeavesASphere) {

@@ -47,14 +47,11 @@ ClosedMesh mapped_sphere(std::uint64_t seed) {
 } // namespace
 
 std::vector<ClosedMesh> closed_meshes() {
-    using test::sheet;
     std::vector<ClosedMesh> meshes;
     meshes.push_back({test::sphere(2, 1.0F, glm::vec3(0.0F)), glm::vec3(0.0F), 0.4F});
     meshes.push_back({test::sphere(8, 0.9F, {0.03F, 0.05F, -0.07F}), {0.03F, 0.05F, -0.07F}, 0.4F});
     meshes.push_back(needles());
-    meshes.push_back({test::join("cube", {sheet(8, 0, -1.0F), sheet(8, 0, 1.0F), sheet(8, 1, -1.0F), sheet(8, 1, 1.0F),
-                                          sheet(8, 2, -1.0F), sheet(8, 2, 1.0F)}),
-                      glm::vec3(0.0F), 0.9F});
+    meshes.push_back({test::cube(8), glm::vec3(0.0F), 0.9F});
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         meshes.push_back(mapped_sphere(seed));
     }

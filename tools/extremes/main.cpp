@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 // Before Highway.
 #include "base/simd_targets.hpp"
+#include "bvh/each_ray.hpp"
 
 #include <hwy/highway.h>
 
@@ -27,22 +28,6 @@ struct Counts {
     std::atomic<std::uint64_t> differences{0};
 };
 
-/// A corner, or a point of an edge as near to it as floats have one.
-glm::vec3 shared_point(test::Random& random, const test::Triangles& mesh) {
-    const auto corners = mesh.corners(random.below(mesh.count()));
-    const std::size_t first = random.below(3);
-    const glm::vec3& a = corners[first];
-    const glm::vec3& b = corners[(first + 1) % 3];
-    switch (random.below(3)) {
-    case 0:
-        return a;
-    case 1:
-        return 0.5F * (a + b);
-    default:
-        return a + random.between(0.0F, 1.0F) * (b - a);
-    }
-}
-
 RayBlock make_block(test::Random& random, const ClosedMesh& mesh) {
     RayBlock block;
     for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
@@ -51,7 +36,7 @@ RayBlock make_block(test::Random& random, const ClosedMesh& mesh) {
             block.origin[axis][lane] = origin[static_cast<int>(axis)];
         }
         for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
-            const glm::vec3 direction = shared_point(random, mesh.triangles) - origin;
+            const glm::vec3 direction = test::shared_point(random, mesh.triangles) - origin;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 block.direction[stratum][axis][lane] = direction[static_cast<int>(axis)];
             }
@@ -59,15 +44,6 @@ RayBlock make_block(test::Random& random, const ClosedMesh& mesh) {
     }
     block.active.fill(0xFFFFU);
     return block;
-}
-
-Ray ray_of(const RayBlock& block, std::size_t stratum, std::size_t lane) {
-    Ray ray;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        ray.origin[static_cast<int>(axis)] = block.origin[axis][lane];
-        ray.direction[static_cast<int>(axis)] = block.direction[stratum][axis][lane];
-    }
-    return ray;
 }
 
 std::uint64_t count(const BlockedRays& rays) {

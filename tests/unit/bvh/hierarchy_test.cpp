@@ -155,6 +155,7 @@ TEST(Hierarchy, DoesNotDependOnThreads) {
 
 std::vector<BuildItem> items_at(const std::vector<float>& places) {
     std::vector<BuildItem> items;
+    items.reserve(places.size());
     for (const float x : places) {
         items.push_back(
             {glm::vec3(x, 0.0F, 0.0F), glm::vec3(x + 0.5F, 1.0F, 1.0F), static_cast<std::uint32_t>(items.size()), 1});

@@ -19,11 +19,13 @@ void expect_sorted_places(const std::vector<glm::vec3>& positions, std::size_t s
     const auto cuts = quantiles(ListedTriangles(positions, list), splits, 2);
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<float> sorted;
+        sorted.reserve(positions.size());
         for (const glm::vec3& corner : positions) {
             sorted.push_back(corner[axis]);
         }
         std::sort(sorted.begin(), sorted.end());
         std::vector<float> expected;
+        expected.reserve(splits - 1);
         for (std::size_t cut = 1; cut < splits; ++cut) {
             expected.push_back(sorted[cut * sorted.size() / splits]);
         }

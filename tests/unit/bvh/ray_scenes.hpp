@@ -188,6 +188,28 @@ inline Triangles needle_fan(int count) {
     return make_triangles("needle fan", std::move(positions));
 }
 
+/// Closed, from −1 to 1; each face n × n squares.
+inline Triangles cube(int n) {
+    return join("cube", {sheet(n, 0, -1.0F), sheet(n, 0, 1.0F), sheet(n, 1, -1.0F), sheet(n, 1, 1.0F),
+                         sheet(n, 2, -1.0F), sheet(n, 2, 1.0F)});
+}
+
+/// A corner, or a point of an edge as near to it as floats have one: what neighbours share.
+inline glm::vec3 shared_point(Random& random, const Triangles& mesh) {
+    const auto corners = mesh.corners(random.below(mesh.count()));
+    const std::size_t first = random.below(3);
+    const glm::vec3& a = corners[first];
+    const glm::vec3& b = corners[(first + 1) % 3];
+    switch (random.below(3)) {
+    case 0:
+        return a;
+    case 1:
+        return 0.5F * (a + b);
+    default:
+        return a + random.between(0.0F, 1.0F) * (b - a);
+    }
+}
+
 inline TriangleAccelerator accelerate(const Triangles& triangles, Accelerator kind,
                                       TriangleTest test = TriangleTest::watertight, int threads = 0, int splits = 4) {
     return {triangles.positions, triangles.order, AcceleratorSettings{kind, test, splits, threads}};
