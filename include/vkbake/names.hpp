@@ -27,6 +27,12 @@ struct Names<UvSource> {
 };
 
 template<>
+struct Names<ChartMaker> {
+    static constexpr std::array<std::pair<std::string_view, ChartMaker>, 2> values{
+        {{"grown", ChartMaker::grown}, {"polypack", ChartMaker::polypack}}};
+};
+
+template<>
 struct Names<Mode> {
     static constexpr std::array<std::pair<std::string_view, Mode>, 2> values{
         {{"irradiance", Mode::irradiance}, {"ao", Mode::ao}}};

@@ -11,7 +11,11 @@ enum class UvSource : std::uint8_t {
     automatic,
     keep,
     make
-};                                                 ///< automatic: keep TEXCOORD_1 where it will do, make it elsewhere
+}; ///< automatic: keep TEXCOORD_1 where it will do, make it elsewhere
+enum class ChartMaker : std::uint8_t {
+    grown,
+    polypack
+}; ///< grown: few charts within a bound of stretch; polypack: the thesis's, by facing
 enum class Mode : std::uint8_t { irradiance, ao }; ///< E/π, or cosine-weighted visibility
 enum class Sampler : std::uint8_t { cosine, thesis };
 enum class Accelerator : std::uint8_t { bvh, clusters, brute };
@@ -23,8 +27,10 @@ struct Settings {
     std::optional<double> density; ///< texels per metre, > 0; absent: the largest that fits one page
     Layout layout = Layout::atlas;
     UvSource uv = UvSource::automatic;
-    int gutter = 2;     ///< empty texels between charts that are made; 0 … 64
-    int max_pages = 16; ///< ≥ 1
+    ChartMaker charts = ChartMaker::polypack; ///< how they are made where UVs are
+    double stretch = 1.01; ///< charts `grown`: L2 stretch that a chart may have, 1 being none; 1.0001 … 2
+    int gutter = 2;        ///< empty texels between charts that are made; 0 … 64
+    int max_pages = 16;    ///< ≥ 1
 
     // Light
     Mode mode = Mode::irradiance;

@@ -10,9 +10,10 @@
 
 #include "atlas/chart.hpp"
 #include "atlas/density.hpp"
+#include "atlas/grown_charts.hpp"
 #include "atlas/kept_uvs.hpp"
-#include "atlas/make_charts.hpp"
 #include "atlas/place_charts.hpp"
+#include "atlas/polypacks.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -31,6 +32,9 @@ void check_settings(const Settings& settings) {
     }
     if (settings.gutter < 0 || settings.gutter > 64) {
         refuse("gutter " + std::to_string(settings.gutter) + ": out of range; give 0 to 64 texels");
+    }
+    if (!(settings.stretch >= 1.0001 && settings.stretch <= 2.0)) {
+        refuse("stretch " + std::to_string(settings.stretch) + ": out of range; give 1.0001 to 2");
     }
     if (settings.max_pages < 1) {
         refuse("max pages " + std::to_string(settings.max_pages) + ": out of range; give 1 or more");
@@ -80,6 +84,11 @@ public:
     AtlasMaker(const Scene& scene, const Surface& surface, const Settings& settings)
         : m_scene(scene), m_surface(surface), m_settings(settings), m_flat(surface.positions.size()),
           m_rank(surface.triangle_count()), m_objects(surface.objects.size()) {
+        double area = 0.0;
+        for (std::uint32_t triangle = 0; triangle < surface.triangle_count(); ++triangle) {
+            area += surface_area(surface, triangle);
+        }
+        m_unfold_length = 0.1 * std::sqrt(area);
         m_atlas.uvs.resize(surface.positions.size());
         m_atlas.page.resize(surface.triangle_count(), 0);
         m_atlas.chart.resize(surface.triangle_count(), no_chart);
@@ -126,7 +135,10 @@ private:
             m_notes.add(fault ? "light-map UVs made, as TEXCOORD_1 " + *fault : "TEXCOORD_1 kept", name);
         }
         if (!object.kept) {
-            object.charts = make_charts(m_surface, object.triangles, m_flat);
+            object.charts =
+                m_settings.charts == ChartMaker::grown
+                    ? make_grown_charts(m_surface, object.triangles, {m_settings.stretch, m_unfold_length}, m_flat)
+                    : make_polypacks(m_surface, object.triangles, m_flat);
             for (const Chart& chart : object.charts) {
                 name_chart(chart.triangles);
             }
@@ -296,6 +308,7 @@ private:
     const Scene& m_scene;
     const Surface& m_surface;
     const Settings& m_settings;
+    double m_unfold_length = 0.0;
     std::vector<glm::vec2> m_flat;     ///< 3 a triangle: see Chart
     std::vector<std::uint32_t> m_rank; ///< by triangle: its place in canonical order
     std::vector<Object> m_objects;

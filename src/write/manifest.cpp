@@ -69,6 +69,8 @@ Json settings_json(const Settings& settings) {
             {"density", or_null(settings.density)},
             {"layout", name_of(settings.layout)},
             {"uv", name_of(settings.uv)},
+            {"charts", name_of(settings.charts)},
+            {"stretch", settings.stretch},
             {"gutter", settings.gutter},
             {"max-pages", settings.max_pages},
             {"mode", name_of(settings.mode)},

@@ -1,4 +1,4 @@
-#include "atlas/make_charts.hpp"
+#include "atlas/polypacks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "atlas/edge_graph.hpp"
+#include "atlas/fold_in.hpp"
 #include "atlas/predicates.hpp"
 #include "atlas/triangle_tree.hpp"
 
@@ -59,9 +60,9 @@ glm::vec2 project(const glm::vec3& p, HalfAxis axis) {
 }
 
 /// One object's triangles, numbered by their place in canonical order.
-class ChartMaker {
+class PolypackMaker {
 public:
-    ChartMaker(const Surface& surface, std::span<const std::uint32_t> triangles)
+    PolypackMaker(const Surface& surface, std::span<const std::uint32_t> triangles)
         : m_axes(triangles.size()), m_flat(3 * triangles.size()), m_ids(weld_corners(surface, triangles)),
           m_graph(m_ids), m_flood(m_graph), m_chart_of(triangles.size(), none) {
         for (std::size_t local = 0; local < triangles.size(); ++local) {
@@ -74,7 +75,7 @@ public:
             if (m_axes[seed] == HalfAxis::flat_only || m_chart_of[seed] != none) {
                 continue;
             }
-            m_chart_of[seed] = 0; // only "taken"; numbered below
+            m_chart_of[seed] = 0; // only "taken"
             auto piece = m_flood.collect(seed, [&](std::uint32_t triangle) {
                 const bool admitted = m_chart_of[triangle] == none && m_axes[triangle] == m_axes[seed];
                 m_chart_of[triangle] = admitted ? 0 : m_chart_of[triangle];
@@ -83,12 +84,7 @@ public:
             cut_overlaps(std::move(piece));
         }
         std::sort(m_charts.begin(), m_charts.end());
-        for (std::uint32_t chart = 0; chart < m_charts.size(); ++chart) {
-            for (const std::uint32_t triangle : m_charts[chart]) {
-                m_chart_of[triangle] = chart;
-            }
-        }
-        attach_triangles_without_area();
+        fold_in(m_ids, m_flat, m_charts);
     }
 
     [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& charts() const { return m_charts; }
@@ -162,42 +158,6 @@ private:
         }
     }
 
-    void attach_triangles_without_area() {
-        std::vector<std::uint32_t> corner_at(m_ids.size(),
-                                             none); // by id: the first corner there of a triangle in a chart
-        std::uint32_t any_corner = none;
-        for (std::uint32_t corner = 0; corner < m_ids.size(); ++corner) {
-            if (m_chart_of[corner / 3] != none) {
-                corner_at[m_ids[corner]] = std::min(corner_at[m_ids[corner]], corner);
-                any_corner = std::min(any_corner, corner);
-            }
-        }
-        std::vector<std::uint32_t> homeless;
-        for (std::uint32_t triangle = 0; triangle < m_axes.size(); ++triangle) {
-            if (m_axes[triangle] != HalfAxis::flat_only) {
-                continue;
-            }
-            std::uint32_t at = none;
-            for (std::uint32_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-                at = std::min(at, corner_at[m_ids[corner]]);
-            }
-            at = at == none ? any_corner : at;
-            const glm::vec2 place = at == none ? glm::vec2(0.0F) : m_flat[at];
-            std::fill_n(m_flat.begin() + 3 * static_cast<std::ptrdiff_t>(triangle), 3, place);
-            if (at == none) {
-                homeless.push_back(triangle);
-            } else {
-                m_charts[m_chart_of[at / 3]].push_back(triangle);
-            }
-        }
-        if (!homeless.empty()) {
-            m_charts.push_back(std::move(homeless));
-        }
-        for (auto& chart : m_charts) {
-            std::sort(chart.begin(), chart.end());
-        }
-    }
-
     std::vector<HalfAxis> m_axes;
     std::vector<glm::vec2> m_flat;
     std::vector<std::uint32_t> m_ids;
@@ -209,24 +169,9 @@ private:
 
 } // namespace
 
-Chart bounded_chart(std::vector<std::uint32_t> triangles, std::span<const glm::vec2> flat) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Chart chart{std::move(triangles), glm::dvec2(infinity), glm::dvec2(-infinity), 1.0};
-    for (const std::uint32_t triangle : chart.triangles) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (int axis = 0; axis < 2; ++axis) {
-                const double value = flat[3 * std::size_t{triangle} + c][axis];
-                chart.lower[axis] = std::min(chart.lower[axis], value);
-                chart.upper[axis] = std::max(chart.upper[axis], value);
-            }
-        }
-    }
-    return chart;
-}
-
-std::vector<Chart> make_charts(const Surface& surface, std::span<const std::uint32_t> triangles,
-                               std::span<glm::vec2> flat) {
-    ChartMaker maker(surface, triangles);
+std::vector<Chart> make_polypacks(const Surface& surface, std::span<const std::uint32_t> triangles,
+                                  std::span<glm::vec2> flat) {
+    PolypackMaker maker(surface, triangles);
     maker.run();
     for (std::size_t local = 0; local < triangles.size(); ++local) {
         std::copy_n(maker.flat().begin() + static_cast<std::ptrdiff_t>(3 * local), 3,

@@ -21,7 +21,7 @@ namespace vkbake {
 /// before X before Z, so that a surface at 45° does not crumble by rounding. A triangle without area is folded onto one
 /// corner of a neighbour, and belongs to its chart. `triangles`: those of one object, in canonical order. Writes `flat`
 /// for them. Charts come in the order of their first triangles.
-[[nodiscard]] std::vector<Chart> make_charts(const Surface& surface, std::span<const std::uint32_t> triangles,
-                                             std::span<glm::vec2> flat);
+[[nodiscard]] std::vector<Chart> make_polypacks(const Surface& surface, std::span<const std::uint32_t> triangles,
+                                                std::span<glm::vec2> flat);
 
 } // namespace vkbake

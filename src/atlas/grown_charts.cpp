@@ -1,0 +1,239 @@
+#include "atlas/grown_charts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "atlas/chart_mesh.hpp"
+#include "atlas/fold_in.hpp"
+#include "atlas/patches.hpp"
+#include "atlas/triangle_tree.hpp"
+#include "base/parallel.hpp"
+
+namespace vkbake {
+
+namespace {
+
+using Pieces = std::vector<std::vector<std::uint32_t>>;
+
+/// Triangles that hang together by sides, each set ascending; sets in the order of their first. Those without area are
+/// left out.
+Pieces components_of(const ChartMesh& mesh) {
+    Pieces components;
+    std::vector<bool> taken(mesh.triangle_count(), false);
+    for (std::uint32_t seed = 0; seed < mesh.triangle_count(); ++seed) {
+        if (taken[seed] || mesh.normals[seed] == glm::dvec3(0.0)) {
+            continue;
+        }
+        taken[seed] = true;
+        std::vector<std::uint32_t> component{seed};
+        for (std::size_t next = 0; next < component.size(); ++next) {
+            for (std::uint32_t side = 3 * component[next]; side < 3 * component[next] + 3; ++side) {
+                const std::uint32_t beyond = mesh.across[side];
+                if (beyond != ChartMesh::none && !taken[beyond / 3]) {
+                    taken[beyond / 3] = true;
+                    component.push_back(beyond / 3);
+                }
+            }
+        }
+        std::sort(component.begin(), component.end());
+        components.push_back(std::move(component));
+    }
+    return components;
+}
+
+/// The unit vector (as a complex number) whose direction, up to quarter turns, most of the outline has.
+glm::dvec2 outline_direction(const Patches& patches, const Patch& piece) {
+    // Directions by quarter: bins over y / (x + y), which grows with the angle.
+    constexpr std::size_t bins = 128;
+    std::array<double, bins> lengths{};
+    const auto for_each_side = [&](const auto& visit) {
+        for (const std::uint32_t triangle : piece.triangles) {
+            for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+                const std::uint32_t beyond = patches.mesh->across[side];
+                if (beyond != ChartMesh::none && patches.patch_of[beyond / 3] == patches.patch_of[triangle] &&
+                    patches.places[beyond] == patches.places[next_corner(side)]) {
+                    continue;
+                }
+                glm::dvec2 along = patches.places[next_corner(side)] - patches.places[side];
+                while (!(along.x > 0.0 && along.y >= 0.0) && along != glm::dvec2(0.0)) {
+                    along = {along.y, -along.x};
+                }
+                const double length = glm::length(along);
+                if (length > 0.0) {
+                    visit(along / length, length,
+                          static_cast<std::size_t>(along.y / (along.x + along.y) * bins + 0.5) % bins);
+                }
+            }
+        }
+    };
+    for_each_side([&](const glm::dvec2&, double length, std::size_t bin) { lengths[bin] += length; });
+    const auto best = static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+    // The longest side of that bin.
+    glm::dvec2 direction(1.0, 0.0);
+    double longest = 0.0;
+    for_each_side([&](const glm::dvec2& along, double length, std::size_t bin) {
+        if (bin == best && length > longest) {
+            longest = length;
+            direction = along;
+        }
+    });
+    return direction;
+}
+
+class GrownCharts {
+public:
+    GrownCharts(const Surface& surface, std::span<const std::uint32_t> triangles, const GrowthLimits& limits)
+        : m_mesh(make_chart_mesh(surface, triangles)), m_patches(m_mesh), m_flat(3 * triangles.size()) {
+        // A small distortion's energy is twice what it adds to the L2 stretch.
+        m_limits.mean_energy = 2.0 * (limits.stretch - 1.0);
+        m_limits.triangle_energy = 10.0 * m_limits.mean_energy;
+        m_limits.crossing_length = limits.unfold_length;
+    }
+
+    Pieces run() {
+        const Pieces components = components_of(m_mesh);
+        std::vector<Pieces> found(components.size());
+        parallel_ranges(components.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                found[i] = make_charts_of(components[i]);
+            }
+        });
+        Pieces charts;
+        for (Pieces& own : found) {
+            std::move(own.begin(), own.end(), std::back_inserter(charts));
+        }
+        fold_in(m_mesh.vertices, m_flat, charts);
+        std::sort(charts.begin(), charts.end());
+        return charts;
+    }
+
+    [[nodiscard]] const std::vector<glm::vec2>& flat() const { return m_flat; }
+
+private:
+    Pieces make_charts_of(const std::vector<std::uint32_t>& component) {
+        std::vector<Patch> pieces = grow_patches(m_patches, component, m_limits);
+        merge_patches(m_patches, pieces, m_limits);
+        Pieces charts;
+        for (Patch& piece : pieces) {
+            lay_straight(piece);
+            std::sort(piece.triangles.begin(), piece.triangles.end());
+            cut_overlaps(std::move(piece.triangles), charts);
+        }
+        return charts;
+    }
+
+    /// Writes the flat coordinates, v down.
+    void lay_straight(const Patch& piece) {
+        const glm::dvec2 direction = outline_direction(m_patches, piece);
+        const glm::dvec2 origin = m_patches.places[3 * piece.triangles.front()];
+        for (const std::uint32_t triangle : piece.triangles) {
+            for (std::uint32_t place = 3 * triangle; place < 3 * triangle + 3; ++place) {
+                const glm::dvec2 p = m_patches.places[place] - origin;
+                m_flat[place] = {static_cast<float>(direction.x * p.x + direction.y * p.y),
+                                 static_cast<float>(direction.y * p.x - direction.x * p.y)};
+            }
+        }
+    }
+
+    /// Rounding, and outlines that cross where no joint was looked at, may make triangles overlap: such a piece is
+    /// grown again, from the least triangle, without what overlaps it.
+    void cut_overlaps(std::vector<std::uint32_t> piece, Pieces& charts) {
+        std::erase_if(piece, [&](std::uint32_t triangle) {
+            const bool mirrored = orientation(laid(triangle)) >= 0;
+            if (mirrored) {
+                charts.push_back({triangle});
+                lay_alone(triangle);
+            }
+            return mirrored;
+        });
+        if (piece.empty()) {
+            return;
+        }
+        TriangleTree tree(m_flat, piece);
+        bool overlaps = false;
+        for (std::size_t i = 0; i < piece.size() && !overlaps; ++i) {
+            tree.visit_overlaps(piece[i], [&](std::uint32_t) {
+                overlaps = true;
+                return false;
+            });
+        }
+        if (!overlaps) {
+            charts.push_back(std::move(piece));
+            return;
+        }
+        for (const std::uint32_t triangle : piece) {
+            m_patches.patch_of[triangle] = ChartMesh::none;
+        }
+        std::uint32_t group = 0;
+        for (const std::uint32_t seed : piece) {
+            if (m_patches.patch_of[seed] == ChartMesh::none) {
+                charts.push_back(grow_apart(tree, seed, group++));
+            }
+        }
+    }
+
+    std::vector<std::uint32_t> grow_apart(TriangleTree& tree, std::uint32_t seed, std::uint32_t group) {
+        std::vector<std::uint32_t> taken{seed};
+        const auto take = [&](std::uint32_t triangle) {
+            m_patches.patch_of[triangle] = 0;
+            tree.mark(triangle, group);
+        };
+        take(seed);
+        for (std::size_t next = 0; next < taken.size(); ++next) {
+            for (std::uint32_t side = 3 * taken[next]; side < 3 * taken[next] + 3; ++side) {
+                const std::uint32_t beyond = m_mesh.across[side];
+                if (beyond != ChartMesh::none && m_patches.patch_of[beyond / 3] == ChartMesh::none &&
+                    m_flat[beyond] == m_flat[next_corner(side)] && m_flat[next_corner(beyond)] == m_flat[side] &&
+                    !tree.overlaps_group(beyond / 3, group)) {
+                    taken.push_back(beyond / 3);
+                    take(beyond / 3);
+                }
+            }
+        }
+        std::sort(taken.begin(), taken.end());
+        return taken;
+    }
+
+    [[nodiscard]] FlatTriangle laid(std::uint32_t triangle) const {
+        return {m_flat[3 * triangle], m_flat[3 * triangle + 1], m_flat[3 * triangle + 2]};
+    }
+
+    void lay_alone(std::uint32_t triangle) {
+        const LaidTriangle own = lay_down(m_mesh, 3 * triangle);
+        m_flat[3 * triangle] = {0.0F, 0.0F};
+        m_flat[3 * triangle + 1] = {static_cast<float>(own.x1), 0.0F};
+        m_flat[3 * triangle + 2] = {static_cast<float>(own.x2), static_cast<float>(-own.y2)};
+    }
+
+    ChartMesh m_mesh;
+    Patches m_patches;
+    PatchLimits m_limits;
+    std::vector<glm::vec2> m_flat;
+};
+
+} // namespace
+
+std::vector<Chart> make_grown_charts(const Surface& surface, std::span<const std::uint32_t> triangles,
+                                     const GrowthLimits& limits, std::span<glm::vec2> flat) {
+    GrownCharts growth(surface, triangles, limits);
+    const Pieces pieces = growth.run();
+    for (std::size_t local = 0; local < triangles.size(); ++local) {
+        std::copy_n(growth.flat().begin() + static_cast<std::ptrdiff_t>(3 * local), 3,
+                    flat.begin() + 3 * static_cast<std::ptrdiff_t>(triangles[local]));
+    }
+    std::vector<Chart> charts;
+    charts.reserve(pieces.size());
+    for (const auto& members : pieces) {
+        std::vector<std::uint32_t> numbers(members.size());
+        std::transform(members.begin(), members.end(), numbers.begin(),
+                       [&](std::uint32_t local) { return triangles[local]; });
+        charts.push_back(bounded_chart(std::move(numbers), flat));
+    }
+    return charts;
+}
+
+} // namespace vkbake

@@ -1,0 +1,143 @@
+#include "atlas/measure_uvs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "atlas/disjoint_sets.hpp"
+#include "atlas/edge_graph.hpp"
+#include "atlas/predicates.hpp"
+#include "atlas/triangle_tree.hpp"
+
+namespace vkbake {
+
+namespace {
+
+/// Sums over triangles from which the stretch follows.
+struct StretchSum {
+    double energy = 0.0; ///< Σ area · (σ₁² + σ₂²) / 2, σ: how far the map from UVs to space stretches
+    double area = 0.0;
+    double uv_area = 0.0;
+
+    /// False where the UVs have no area.
+    bool add(const glm::vec3* position, const glm::vec2* uv) {
+        const glm::dvec3 e = glm::dvec3(position[1]) - glm::dvec3(position[0]);
+        const glm::dvec3 f = glm::dvec3(position[2]) - glm::dvec3(position[0]);
+        const glm::dvec2 s = glm::dvec2(uv[1]) - glm::dvec2(uv[0]);
+        const glm::dvec2 t = glm::dvec2(uv[2]) - glm::dvec2(uv[0]);
+        const double ee = e.x * e.x + e.y * e.y + e.z * e.z;
+        const double ff = f.x * f.x + f.y * f.y + f.z * f.z;
+        const double ef = e.x * f.x + e.y * f.y + e.z * f.z;
+        const double own_area = 0.5 * std::sqrt(std::max(0.0, ee * ff - ef * ef));
+        const double turned = s.x * t.y - s.y * t.x;
+        if (turned == 0.0) {
+            return own_area == 0.0;
+        }
+        // The squares of the two partial derivatives of position, summed: the trace of the metric.
+        const double trace =
+            (ee * (t.x * t.x + t.y * t.y) + ff * (s.x * s.x + s.y * s.y) - 2.0 * ef * (s.x * t.x + s.y * t.y)) /
+            (turned * turned);
+        energy += own_area * 0.5 * trace;
+        area += own_area;
+        uv_area += 0.5 * std::abs(turned);
+        return true;
+    }
+
+    [[nodiscard]] double stretch() const { return area > 0.0 ? std::sqrt(energy / area * uv_area / area) : 1.0; }
+};
+
+DisjointSets join_charts(const MeasuredUvs& uvs) {
+    const std::vector<std::uint32_t> ids = weld(uvs.positions);
+    const EdgeGraph graph(ids);
+    DisjointSets sets(uvs.page.size());
+    const auto place_of = [&](std::uint32_t triangle, std::uint32_t id) {
+        std::uint32_t corner = 3 * triangle;
+        while (ids[corner] != id) {
+            ++corner;
+        }
+        return uvs.texels[corner];
+    };
+    const auto near = [](const glm::vec2& a, const glm::vec2& b) {
+        constexpr float enough = 1.0F / 16.0F;
+        return std::abs(a.x - b.x) <= enough && std::abs(a.y - b.y) <= enough;
+    };
+    for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const std::uint32_t edge = graph.edges_of(triangle)[side];
+            if (edge == EdgeGraph::no_edge) {
+                continue;
+            }
+            const std::uint32_t from = ids[3 * triangle + side];
+            const std::uint32_t to = ids[3 * triangle + (side + 1) % 3];
+            for (const std::uint32_t other : graph.triangles_at(edge)) {
+                if (other > triangle && uvs.page[other] == uvs.page[triangle] &&
+                    near(place_of(triangle, from), place_of(other, from)) &&
+                    near(place_of(triangle, to), place_of(other, to))) {
+                    sets.join(triangle, other);
+                }
+            }
+        }
+    }
+    return sets;
+}
+
+std::size_t count_overlapping(const MeasuredUvs& uvs) {
+    std::vector<std::vector<std::uint32_t>> pages;
+    for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
+        pages.resize(std::max<std::size_t>(pages.size(), uvs.page[triangle] + std::size_t{1}));
+        pages[uvs.page[triangle]].push_back(triangle);
+    }
+    std::size_t count = 0;
+    for (const auto& triangles : pages) {
+        const TriangleTree tree(uvs.texels, triangles);
+        for (const std::uint32_t triangle : triangles) {
+            bool overlaps = false;
+            tree.visit_overlaps(triangle, [&](std::uint32_t) {
+                overlaps = true;
+                return false;
+            });
+            count += overlaps ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+UvFigures measure_uvs(const MeasuredUvs& uvs) {
+    UvFigures figures;
+    DisjointSets sets = join_charts(uvs);
+    StretchSum sum;
+    std::vector<double> signed_area(uvs.page.size(), 0.0); // by the chart's least triangle
+    const auto doubled_area = [&](std::uint32_t triangle) {
+        const glm::dvec2 s = glm::dvec2(uvs.texels[3 * triangle + 1]) - glm::dvec2(uvs.texels[3 * triangle]);
+        const glm::dvec2 t = glm::dvec2(uvs.texels[3 * triangle + 2]) - glm::dvec2(uvs.texels[3 * triangle]);
+        return s.x * t.y - s.y * t.x;
+    };
+    for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
+        signed_area[sets.find(triangle)] += doubled_area(triangle);
+        figures.unmapped += sum.add(&uvs.positions[3 * triangle], &uvs.texels[3 * triangle]) ? 0 : 1;
+    }
+    // What has no area in the map is no chart.
+    figures.charts = static_cast<std::size_t>(
+        std::count_if(signed_area.begin(), signed_area.end(), [](double area) { return area != 0.0; }));
+    for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
+        figures.mirrored += doubled_area(triangle) * signed_area[sets.find(triangle)] < 0.0 ? 1 : 0;
+    }
+    figures.overlapping = count_overlapping(uvs);
+    figures.uv_area = sum.uv_area;
+    figures.stretch = sum.stretch();
+    return figures;
+}
+
+double l2_stretch(std::span<const glm::vec3> positions, std::span<const glm::vec2> flat,
+                  std::span<const std::uint32_t> triangles) {
+    StretchSum sum;
+    for (const std::uint32_t triangle : triangles) {
+        (void)sum.add(&positions[3 * std::size_t{triangle}], &flat[3 * std::size_t{triangle}]);
+    }
+    return sum.stretch();
+}
+
+} // namespace vkbake

@@ -1,0 +1,383 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "atlas/patches.hpp"
+#include "atlas/plane_grid.hpp"
+#include "atlas/rigid_motion.hpp"
+#include "atlas/sew.hpp"
+
+namespace vkbake {
+
+namespace {
+
+class PatchMerger {
+public:
+    PatchMerger(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits)
+        : m_all(patches), m_mesh(*patches.mesh), m_pieces(pieces), m_limits(limits), m_own(pieces.size()) {
+        for (std::uint32_t name = 0; name < pieces.size(); ++name) {
+            begin(name);
+        }
+        for (std::uint32_t name = 0; name < pieces.size(); ++name) {
+            for (auto& [other, joint] : m_own[name].joints) {
+                if (name < other) {
+                    push(name, other, joint);
+                }
+            }
+        }
+    }
+
+    void run() {
+        while (!m_queue.empty()) {
+            const Candidate candidate = m_queue.top();
+            m_queue.pop();
+            const auto joint = m_own[candidate.first].joints.find(candidate.second);
+            if (joint != m_own[candidate.first].joints.end() && joint->second.stamp == candidate.stamp) {
+                try_to_join(candidate.first, candidate.second);
+            }
+        }
+        std::erase_if(m_pieces, [](const Patch& piece) { return piece.triangles.empty(); });
+        for (std::uint32_t name = 0; name < m_pieces.size(); ++name) {
+            for (const std::uint32_t triangle : m_pieces[name].triangles) {
+                m_all.patch_of[triangle] = name;
+            }
+        }
+    }
+
+private:
+    /// What two patches have in common.
+    struct Joint {
+        double length = 0.0;
+        double flat_length = 0.0; ///< of it, what is no crease
+        std::uint32_t stamp = 0;  ///< of the candidate that speaks for it
+    };
+
+    /// What is known of a patch beside its triangles.
+    struct Own {
+        double outline = 0.0; ///< length
+        PlaneBox box;
+        std::map<std::uint32_t, Joint> joints; ///< by neighbour
+        std::unique_ptr<PlaneGrid> grid;       ///< of the triangles at its outline; made when it is asked for
+    };
+
+    struct Candidate {
+        double worth;
+        std::uint32_t first;
+        std::uint32_t second;
+        std::uint32_t stamp;
+
+        bool operator<(const Candidate& other) const {
+            return std::tie(worth, other.first, other.second, other.stamp) <
+                   std::tie(other.worth, first, second, stamp);
+        }
+    };
+
+    [[nodiscard]] double length_of(std::uint32_t side) const {
+        return glm::length(m_mesh.corner(next_corner(side)) - m_mesh.corner(side));
+    }
+
+    [[nodiscard]] PlaneTriangle laid(std::uint32_t triangle) const {
+        return {m_all.places[3 * triangle], m_all.places[3 * triangle + 1], m_all.places[3 * triangle + 2]};
+    }
+
+    /// Whether what lies across a side hangs together with it in the plane.
+    [[nodiscard]] bool is_inner(std::uint32_t side) const {
+        const std::uint32_t beyond = m_mesh.across[side];
+        return beyond != ChartMesh::none && m_all.patch_of[beyond / 3] == m_all.patch_of[side / 3] &&
+               m_all.places[side] == m_all.places[next_corner(beyond)] &&
+               m_all.places[next_corner(side)] == m_all.places[beyond];
+    }
+
+    [[nodiscard]] bool at_outline(std::uint32_t triangle) const {
+        return !is_inner(3 * triangle) || !is_inner(3 * triangle + 1) || !is_inner(3 * triangle + 2);
+    }
+
+    void begin(std::uint32_t name) {
+        Own& own = m_own[name];
+        for (const std::uint32_t triangle : m_pieces[name].triangles) {
+            for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+                own.box.add(m_all.places[side]);
+                if (is_inner(side)) {
+                    continue;
+                }
+                const double length = length_of(side);
+                own.outline += length;
+                const std::uint32_t beyond = m_mesh.across[side];
+                if (beyond != ChartMesh::none && m_all.patch_of[beyond / 3] != name) {
+                    Joint& joint = own.joints[m_all.patch_of[beyond / 3]];
+                    joint.length += length;
+                    joint.flat_length += is_crease(m_mesh, side) ? 0.0 : length;
+                }
+            }
+        }
+    }
+
+    void push(std::uint32_t a, std::uint32_t b, Joint& joint) {
+        joint.stamp = ++m_stamp;
+        m_own[b].joints.at(a).stamp = joint.stamp;
+        const double share = joint.length / std::min(m_own[a].outline, m_own[b].outline);
+        const double flat = joint.flat_length / joint.length;
+        m_queue.push({share + flat, std::min(a, b), std::max(a, b), joint.stamp});
+    }
+
+    void try_to_join(std::uint32_t a, std::uint32_t b) {
+        // The smaller one moves.
+        if (m_pieces[a].triangles.size() < m_pieces[b].triangles.size()) {
+            std::swap(a, b);
+        }
+        std::vector<std::uint32_t> common; // sides of b
+        for (const std::uint32_t triangle : m_pieces[b].triangles) {
+            for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+                const std::uint32_t beyond = m_mesh.across[side];
+                if (beyond != ChartMesh::none && m_all.patch_of[beyond / 3] == a) {
+                    common.push_back(side);
+                }
+            }
+        }
+        std::stable_sort(common.begin(), common.end(),
+                         [&](std::uint32_t s, std::uint32_t t) { return length_of(s) > length_of(t); });
+        constexpr std::size_t tries = 4;
+        std::size_t tried = 0;
+        std::vector<bool> met(common.size(), false);
+        for (std::size_t i = 0; i < common.size() && tried < tries; ++i) {
+            if (!met[i]) {
+                ++tried;
+                if (lay_beside(a, b, common, i, met)) {
+                    return;
+                }
+            }
+        }
+        const Joint& joint = m_own[a].joints.at(b);
+        if (joint.flat_length > 0.5 * joint.length) {
+            sew_on(a, b, common);
+        }
+    }
+
+    /// The motion of b that brings the common sides as near to each other as can be: least squares.
+    [[nodiscard]] RigidMotion best_motion(const std::vector<std::uint32_t>& common) const {
+        glm::dvec2 from(0.0);
+        glm::dvec2 to(0.0);
+        double length = 0.0;
+        const auto middle = [&](std::uint32_t side) {
+            return 0.5 * (m_all.places[side] + m_all.places[next_corner(side)]);
+        };
+        for (const std::uint32_t side : common) {
+            const double own = length_of(side);
+            length += own;
+            from += own * middle(side);
+            to += own * middle(m_mesh.across[side]);
+        }
+        from /= length;
+        to /= length;
+        glm::dvec2 sum(0.0);
+        for (const std::uint32_t side : common) {
+            const std::uint32_t beyond = m_mesh.across[side];
+            for (const auto& [mine, theirs] :
+                 {std::pair(side, next_corner(beyond)), std::pair(next_corner(side), beyond)}) {
+                const glm::dvec2 a = m_all.places[mine] - from;
+                const glm::dvec2 b = m_all.places[theirs] - to;
+                sum += length_of(side) * glm::dvec2(glm::dot(a, b), a.x * b.y - a.y * b.x);
+            }
+        }
+        const double size = glm::length(sum);
+        RigidMotion motion{size > 0.0 ? sum / size : glm::dvec2(1.0, 0.0), glm::dvec2(0.0)};
+        motion.move = to - motion(from);
+        return motion;
+    }
+
+    void sew_on(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& common) {
+        const RigidMotion motion = best_motion(common);
+        double mismatch = 0.0;
+        double length = 0.0;
+        for (const std::uint32_t side : common) {
+            const glm::dvec2 way = motion(m_all.places[side]) - m_all.places[next_corner(m_mesh.across[side])];
+            mismatch += length_of(side) * glm::length(way);
+            length += length_of(side);
+        }
+        // Hopeless ones need no system solved: what is this far off has to be bent about as much.
+        if (mismatch > 0.2 * length * length) {
+            return;
+        }
+        constexpr int rounds = 3;
+        const auto sewn = sew(m_all, m_pieces[a], m_pieces[b], motion, m_limits, rounds);
+        if (!sewn) {
+            return;
+        }
+        PlaneBox box;
+        for (const glm::dvec2& place : sewn->places) {
+            box.add(place);
+        }
+        if (!good_shape(a, b, box)) {
+            return;
+        }
+        const std::size_t own_count = m_pieces[a].triangles.size();
+        for (std::size_t i = 0; i < own_count; ++i) {
+            std::copy_n(sewn->places.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                        m_all.places.begin() + 3 * static_cast<std::ptrdiff_t>(m_pieces[a].triangles[i]));
+        }
+        m_own[a].grid.reset();
+        join(a, b, {sewn->places.begin() + static_cast<std::ptrdiff_t>(3 * own_count), sewn->places.end()}, box);
+        m_pieces[a].energy = sewn->energy;
+    }
+
+    [[nodiscard]] bool lay_beside(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& common,
+                                  std::size_t hinge, std::vector<bool>& met) {
+        const std::uint32_t own = common[hinge];
+        const std::uint32_t theirs = m_mesh.across[own];
+        const RigidMotion motion = RigidMotion::between(m_all.places[own], m_all.places[next_corner(own)],
+                                                        m_all.places[next_corner(theirs)], m_all.places[theirs]);
+        PlaneBox box = m_own[a].box;
+        std::vector<glm::dvec2> moved;
+        moved.reserve(3 * m_pieces[b].triangles.size());
+        for (const std::uint32_t triangle : m_pieces[b].triangles) {
+            for (std::uint32_t place = 3 * triangle; place < 3 * triangle + 3; ++place) {
+                moved.push_back(motion(m_all.places[place]));
+                box.add(moved.back());
+            }
+        }
+        if (!good_shape(a, b, box)) {
+            return false;
+        }
+        // Corners at sides that meet go exactly where they are on the other side.
+        std::map<std::pair<std::uint32_t, std::pair<double, double>>, glm::dvec2> welds; // by vertex and old place
+        const auto weld_corner = [&](std::uint32_t from, std::uint32_t to) {
+            welds[{m_mesh.vertices[from], {m_all.places[from].x, m_all.places[from].y}}] = m_all.places[to];
+        };
+        for (std::size_t i = 0; i < common.size(); ++i) {
+            const std::uint32_t side = common[i];
+            const std::uint32_t beyond = m_mesh.across[side];
+            const double near = 1e-3 * length_of(side);
+            if (glm::length(motion(m_all.places[side]) - m_all.places[next_corner(beyond)]) <= near &&
+                glm::length(motion(m_all.places[next_corner(side)]) - m_all.places[beyond]) <= near) {
+                met[i] = true;
+                weld_corner(side, next_corner(beyond));
+                weld_corner(next_corner(side), beyond);
+            }
+        }
+        met[hinge] = true;
+        weld_corner(own, next_corner(theirs));
+        weld_corner(next_corner(own), theirs);
+        std::size_t at = 0;
+        for (const std::uint32_t triangle : m_pieces[b].triangles) {
+            for (std::uint32_t place = 3 * triangle; place < 3 * triangle + 3; ++place, ++at) {
+                const auto weld = welds.find({m_mesh.vertices[place], {m_all.places[place].x, m_all.places[place].y}});
+                moved[at] = weld != welds.end() ? weld->second : moved[at];
+            }
+        }
+        if (!fits(a, b, moved)) {
+            return false;
+        }
+        join(a, b, moved, box);
+        return true;
+    }
+
+    /// Small things may be laid out at will; large ones only where the page's space is not wasted.
+    [[nodiscard]] bool good_shape(std::uint32_t a, std::uint32_t b, const PlaneBox& box) const {
+        if (box.longest() <= m_limits.crossing_length) {
+            return true;
+        }
+        const double area = m_pieces[a].area + m_pieces[b].area;
+        return box.area() * 0.95 <= m_own[a].box.area() + m_own[b].box.area() || area >= 0.75 * box.area();
+    }
+
+    [[nodiscard]] bool fits(std::uint32_t a, std::uint32_t b, const std::vector<glm::dvec2>& moved) {
+        const double slack = 1e-9 * std::max(m_own[a].box.longest(), m_own[b].box.longest());
+        const std::vector<std::uint32_t>& mine = m_pieces[b].triangles;
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            const LaidTriangle triangle = lay_down(m_mesh, 3 * mine[i]);
+            const Distortion bent = distortion(triangle, moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]);
+            if (!(bent.product > 0.0 && bent.energy() <= m_limits.triangle_energy)) {
+                return false;
+            }
+        }
+        PlaneGrid& grid = grid_of(a);
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            if (at_outline(mine[i]) && grid.meets({moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]}, slack)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    PlaneGrid& grid_of(std::uint32_t name) {
+        Own& own = m_own[name];
+        if (!own.grid) {
+            double length = 0.0;
+            double count = 0.0;
+            for (const std::uint32_t triangle : m_pieces[name].triangles) {
+                for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+                    length += length_of(side);
+                    count += 1.0;
+                }
+            }
+            own.grid = std::make_unique<PlaneGrid>(length / count);
+            for (const std::uint32_t triangle : m_pieces[name].triangles) {
+                if (at_outline(triangle)) {
+                    own.grid->add(laid(triangle));
+                }
+            }
+        }
+        return *own.grid;
+    }
+
+    /// b becomes part of a.
+    void join(std::uint32_t a, std::uint32_t b, const std::vector<glm::dvec2>& moved, const PlaneBox& box) {
+        Patch& into = m_pieces[a];
+        Patch& from = m_pieces[b];
+        for (std::size_t i = 0; i < from.triangles.size(); ++i) {
+            const std::uint32_t triangle = from.triangles[i];
+            m_all.patch_of[triangle] = a;
+            std::copy_n(moved.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                        m_all.places.begin() + 3 * static_cast<std::ptrdiff_t>(triangle));
+            if (m_own[a].grid) {
+                m_own[a].grid->add(laid(triangle));
+            }
+        }
+        into.triangles.insert(into.triangles.end(), from.triangles.begin(), from.triangles.end());
+        into.area += from.area;
+        into.energy += from.energy;
+        from = {};
+        Own& own = m_own[a];
+        own.outline += m_own[b].outline - 2.0 * own.joints.at(b).length;
+        own.box = box;
+        own.joints.erase(b);
+        m_own[b].joints.erase(a);
+        for (const auto& [other, joint] : m_own[b].joints) {
+            Joint& sum = own.joints[other];
+            sum.length += joint.length;
+            sum.flat_length += joint.flat_length;
+            m_own[other].joints.erase(b);
+            m_own[other].joints[a] = sum;
+            push(a, other, sum);
+        }
+        m_own[b] = {};
+    }
+
+    Patches& m_all;
+    const ChartMesh& m_mesh;
+    std::vector<Patch>& m_pieces;
+    const PatchLimits& m_limits;
+    std::vector<Own> m_own;
+    std::priority_queue<Candidate> m_queue;
+    std::uint32_t m_stamp = 0;
+};
+
+} // namespace
+
+bool is_crease(const ChartMesh& mesh, std::uint32_t side) {
+    const std::uint32_t beyond = mesh.across[side];
+    return glm::dot(mesh.normals[side / 3], mesh.normals[beyond / 3]) < crease_cosine ||
+           mesh.parts[side / 3] != mesh.parts[beyond / 3];
+}
+
+void merge_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits) {
+    PatchMerger(patches, pieces, limits).run();
+}
+
+} // namespace vkbake

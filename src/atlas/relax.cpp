@@ -1,0 +1,104 @@
+#include "atlas/relax.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/SparseCholesky>
+#include <glm/geometric.hpp>
+
+namespace vkbake {
+
+namespace {
+
+/// A triangle as it lies without distortion, and the cotangents of its angles: of the angle opposite side c at c.
+struct RigidTriangle {
+    std::array<glm::dvec2, 3> corners;
+    std::array<double, 3> cotangents;
+};
+
+RigidTriangle rigid_triangle(const ChartMesh& mesh, std::uint32_t triangle) {
+    const LaidTriangle laid = lay_down(mesh, 3 * triangle);
+    RigidTriangle rigid{{glm::dvec2(0.0), glm::dvec2(laid.x1, 0.0), glm::dvec2(laid.x2, laid.y2)}, {}};
+    const double doubled_area = laid.x1 * laid.y2;
+    for (unsigned c = 0; c < 3; ++c) {
+        const glm::dvec2 apex = rigid.corners[(c + 2) % 3];
+        rigid.cotangents[c] = glm::dot(rigid.corners[c] - apex, rigid.corners[(c + 1) % 3] - apex) / doubled_area;
+    }
+    return rigid;
+}
+
+/// The rotation (a unit complex number) that comes next to taking the rigid triangle to its places.
+glm::dvec2 next_rotation(const RigidTriangle& rigid, const std::array<glm::dvec2, 3>& at) {
+    glm::dvec2 sum(0.0);
+    for (unsigned c = 0; c < 3; ++c) {
+        const glm::dvec2 from = rigid.corners[(c + 1) % 3] - rigid.corners[c];
+        const glm::dvec2 to = at[(c + 1) % 3] - at[c];
+        sum += rigid.cotangents[c] * glm::dvec2(glm::dot(from, to), from.x * to.y - from.y * to.x);
+    }
+    const double length = glm::length(sum);
+    return length > 0.0 ? sum / length : glm::dvec2(1.0, 0.0);
+}
+
+} // namespace
+
+bool relax(const ChartMesh& mesh, std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> points,
+           std::vector<glm::dvec2>& places, int rounds) {
+    using Matrix = Eigen::SparseMatrix<double>;
+    const auto count = static_cast<Eigen::Index>(places.size());
+    std::vector<RigidTriangle> rigid;
+    std::vector<Eigen::Triplet<double>> entries;
+    rigid.reserve(triangles.size());
+    entries.reserve(9 * triangles.size() + 1);
+    double weight = 0.0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        rigid.push_back(rigid_triangle(mesh, triangles[t]));
+        for (unsigned c = 0; c < 3; ++c) {
+            const auto a = static_cast<int>(points[3 * t + c]);
+            const auto b = static_cast<int>(points[3 * t + (c + 1) % 3]);
+            const double w = rigid[t].cotangents[c];
+            entries.emplace_back(a, a, w);
+            entries.emplace_back(b, b, w);
+            entries.emplace_back(std::max(a, b), std::min(a, b), -w);
+            weight += std::abs(w);
+        }
+    }
+    // Holds one point, so that the system has one solution.
+    entries.emplace_back(0, 0, weight / static_cast<double>(entries.size()));
+    const double hold = entries.back().value();
+    Matrix matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Matrix> solver(matrix);
+    if (solver.info() != Eigen::Success) {
+        return false;
+    }
+    std::vector<glm::dvec2> current = places;
+    Eigen::MatrixX2d right(count, 2);
+    for (int round = 0; round < rounds; ++round) {
+        right.setZero();
+        right(0, 0) = hold * places[0].x;
+        right(0, 1) = hold * places[0].y;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const std::uint32_t* const own = &points[3 * t];
+            const glm::dvec2 turn = next_rotation(rigid[t], {current[own[0]], current[own[1]], current[own[2]]});
+            for (unsigned c = 0; c < 3; ++c) {
+                const glm::dvec2 along = rigid[t].cotangents[c] * (rigid[t].corners[(c + 1) % 3] - rigid[t].corners[c]);
+                const glm::dvec2 turned(turn.x * along.x - turn.y * along.y, turn.x * along.y + turn.y * along.x);
+                right(own[c], 0) -= turned.x;
+                right(own[c], 1) -= turned.y;
+                right(own[(c + 1) % 3], 0) += turned.x;
+                right(own[(c + 1) % 3], 1) += turned.y;
+            }
+        }
+        const Eigen::MatrixX2d solution = solver.solve(right);
+        if (!solution.allFinite()) {
+            return false;
+        }
+        for (Eigen::Index i = 0; i < count; ++i) {
+            current[static_cast<std::size_t>(i)] = {solution(i, 0), solution(i, 1)};
+        }
+    }
+    places = std::move(current);
+    return true;
+}
+
+} // namespace vkbake

@@ -1,0 +1,28 @@
+// Joins pieces that do not fit each other rigidly.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "atlas/patches.hpp"
+#include "atlas/rigid_motion.hpp"
+
+namespace vkbake {
+
+struct SewnPiece {
+    std::vector<std::uint32_t> triangles;
+    std::vector<glm::dvec2> places; ///< 3 a triangle
+    double energy = 0.0;            ///< as Patch::energy
+};
+
+/// Both pieces as one, `second` brought to the first one's plane by `motion`: joined at all common sides that are no
+/// creases, then relaxed. Nothing where the result breaks a limit, mirrors a triangle or overlaps itself. `second` may
+/// be empty: then `first` is relaxed alone.
+[[nodiscard]] std::optional<SewnPiece> sew(Patches& patches, const Patch& first, const Patch& second,
+                                           const RigidMotion& motion, const PatchLimits& limits, int rounds);
+
+} // namespace vkbake

@@ -1,0 +1,206 @@
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "atlas/make_atlas.hpp"
+#include "atlas/measure_uvs.hpp"
+#include "support.hpp"
+#include "surface/make_surface.hpp"
+
+namespace vkbake {
+namespace {
+
+using namespace test; // NOLINT(google-build-using-namespace): the helpers of these tests
+
+Settings grown(int size) {
+    Settings settings;
+    settings.size = size;
+    settings.uv = UvSource::make;
+    settings.charts = ChartMaker::grown;
+    return settings;
+}
+
+UvFigures figures_of(const Surface& surface, const Atlas& atlas) {
+    std::vector<glm::vec2> texels;
+    for (std::size_t corner = 0; corner < atlas.uvs.size(); ++corner) {
+        texels.push_back(atlas.uvs[corner] * static_cast<float>(atlas.pages[atlas.page[corner / 3]].width));
+    }
+    return measure_uvs({surface.positions, texels, atlas.page});
+}
+
+Atlas expect_good_atlas(const Scene& scene, const Settings& settings) {
+    const Surface surface = make_surface(scene);
+    Atlas atlas = make_atlas(scene, surface, settings);
+    expect_sound(surface, atlas);
+    expect_gutter(atlas, settings.gutter);
+    const UvFigures figures = figures_of(surface, atlas);
+    EXPECT_EQ(figures.overlapping, 0U);
+    EXPECT_EQ(figures.mirrored, 0U);
+    for (std::size_t t = 0; t < surface.triangle_count(); ++t) {
+        EXPECT_LE(doubled_texel_area(atlas, t), 0.0) << "triangle " << t << " is mirrored";
+    }
+    return atlas;
+}
+
+/// n × 2n quads; the poles are triangles.
+Scene sphere(int n) {
+    Scene scene = empty_scene();
+    const auto at = [&](int ring, int k) {
+        const double polar = std::numbers::pi * ring / n;
+        const double around = std::numbers::pi * (k % (2 * n)) / n;
+        return glm::vec3(ring == 0 || ring == n ? 0.0 : std::sin(polar) * std::cos(around), std::cos(polar),
+                         ring == 0 || ring == n ? 0.0 : std::sin(polar) * std::sin(around));
+    };
+    for (int ring = 0; ring < n; ++ring) {
+        for (int k = 0; k < 2 * n; ++k) {
+            if (ring > 0) {
+                add_triangle(scene.meshes[0].primitives[0], at(ring, k), at(ring, k + 1), at(ring + 1, k));
+            }
+            if (ring < n - 1) {
+                add_triangle(scene.meshes[0].primitives[0], at(ring, k + 1), at(ring + 1, k + 1), at(ring + 1, k));
+            }
+        }
+    }
+    return scene;
+}
+
+// Small beside a large ground, so that it may be laid out as a cross.
+TEST(GrownCharts, a_small_box_is_unfolded_into_one_chart_without_stretch) {
+    Scene scene = empty_scene();
+    Primitive& primitive = scene.meshes[0].primitives[0];
+    add_box(primitive, {0.0F, 1.0F, 0.0F}, {1.0F, 2.0F, 1.5F});
+    add_quad(primitive, {-50, 0, 50}, {50, 0, 50}, {50, 0, -50}, {-50, 0, -50});
+    const Atlas atlas = expect_good_atlas(scene, grown(1024));
+    EXPECT_EQ(atlas.chart_count, 2U);
+    const Surface surface = make_surface(scene);
+    EXPECT_NEAR(figures_of(surface, atlas).stretch, 1.0, 1e-3);
+}
+
+// A wall is a face of its own, whatever triangles it has.
+TEST(GrownCharts, a_room_keeps_its_walls_whole) {
+    Scene scene = empty_scene();
+    add_box(scene.meshes[0].primitives[0], {0, 0, 0}, {4, 3, 5});
+    const Surface surface = make_surface(scene);
+    const Atlas atlas = expect_good_atlas(scene, grown(256));
+    EXPECT_LE(atlas.chart_count, 6U);
+    for (std::size_t a = 0; a < surface.triangle_count(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            EXPECT_TRUE(surface.geometric_normals[a] != surface.geometric_normals[b] ||
+                        atlas.chart[a] == atlas.chart[b]);
+        }
+    }
+}
+
+// No flat map of the whole sphere stays within any bound, but a few charts do.
+TEST(GrownCharts, a_sphere_takes_few_charts_of_little_stretch) {
+    const Scene scene = sphere(20);
+    const Surface surface = make_surface(scene);
+    for (const double stretch : {1.003, 1.01, 1.05}) {
+        Settings settings = grown(512);
+        settings.stretch = stretch;
+        const Atlas atlas = expect_good_atlas(scene, settings);
+        EXPECT_GE(atlas.chart_count, 2U);
+        EXPECT_LE(atlas.chart_count, 24U);
+        EXPECT_LE(figures_of(surface, atlas).stretch, stretch);
+    }
+}
+
+// A cylinder without caps is cut once and unrolled.
+TEST(GrownCharts, a_tube_is_unrolled) {
+    Scene scene = empty_scene();
+    constexpr int sides = 40;
+    const auto at = [&](int k, float y) {
+        const double angle = 2.0 * std::numbers::pi * (k % sides) / sides;
+        return glm::vec3(std::cos(angle), y, -std::sin(angle));
+    };
+    for (int k = 0; k < sides; ++k) {
+        add_quad(scene.meshes[0].primitives[0], at(k, 0), at(k + 1, 0), at(k + 1, 3), at(k, 3));
+    }
+    const Atlas atlas = expect_good_atlas(scene, grown(256));
+    EXPECT_EQ(atlas.chart_count, 1U);
+}
+
+// Soups of triangles: some share vertices, some lie on each other, some have no area.
+TEST(GrownCharts, random_meshes_hold_every_promise) {
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
+        std::mt19937 random(seed);
+        const auto pick = [&](std::uint32_t below) { return random() % below; };
+        std::vector<glm::vec3> points;
+        for (int i = 0; i < 40; ++i) {
+            const std::uint32_t steps = seed % 3 == 0 ? 3 : 1000;
+            points.emplace_back(static_cast<float>(pick(steps)), static_cast<float>(pick(steps)),
+                                static_cast<float>(pick(seed % 4 == 1 ? 2 : steps)));
+        }
+        Scene scene = empty_scene();
+        for (int i = 0; i < 120; ++i) {
+            add_triangle(scene.meshes[0].primitives[0], points[pick(40)], points[pick(40)], points[pick(40)]);
+        }
+        SCOPED_TRACE(seed);
+        (void)expect_good_atlas(scene, grown(400));
+    }
+}
+
+TEST(GrownCharts, rough_ground_and_needles_hold_every_promise) {
+    Scene scene = empty_scene();
+    Primitive& primitive = scene.meshes[0].primitives[0];
+    add_rough_ground(primitive, 12, 3.0F);
+    for (int i = 0; i < 100; ++i) {
+        const auto rim = [](int k) {
+            const double angle = 2.0 * std::numbers::pi * k / 100.0;
+            return glm::vec3(20.0 + std::cos(angle), std::sin(angle), 0.0);
+        };
+        add_triangle(primitive, {20, 0, 0}, rim(i), rim(i + 1));
+    }
+    add_triangle(primitive, {30.0F, 0.0F, 0.0F}, {31.0F, 1.0F, 0.0F}, {30.5F, 0.50000006F, 0.0F});
+    (void)expect_good_atlas(scene, grown(500));
+}
+
+TEST(GrownCharts, the_order_of_triangles_changes_nothing) {
+    Scene scene = sphere(12);
+    add_rough_ground(scene.meshes[0].primitives[0], 8, 1.0F);
+    add_box(scene.meshes[0].primitives[0], {20, 0, 0}, {21, 2, 3});
+    const Surface surface = make_surface(scene);
+    const Atlas atlas = make_atlas(scene, surface, grown(256));
+    for (const std::uint32_t seed : {1U, 2U}) {
+        Scene shuffled = scene;
+        shuffle_triangles(shuffled.meshes[0].primitives[0], seed);
+        const Surface other_surface = make_surface(shuffled);
+        const Atlas other = make_atlas(shuffled, other_surface, grown(256));
+        ASSERT_EQ(other.chart_count, atlas.chart_count);
+        for (std::size_t rank = 0; rank < surface.canonical_order.size(); ++rank) {
+            const std::size_t a = surface.canonical_order[rank];
+            const std::size_t b = other_surface.canonical_order[rank];
+            for (std::size_t c = 0; c < 3; ++c) {
+                ASSERT_EQ(atlas.uvs[3 * a + c], other.uvs[3 * b + c]);
+            }
+            ASSERT_EQ(atlas.chart[a], other.chart[b]);
+        }
+    }
+}
+
+// A square metre on 10 × 10 texels beside the same at half the density.
+TEST(MeasureUvs, stretch_of_known_maps) {
+    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    std::vector<glm::vec2> texels{{0, 0}, {10, 0}, {10, 10}, {0, 0}, {10, 10}, {0, 10}};
+    const std::vector<std::uint32_t> page{0, 0};
+    UvFigures figures = measure_uvs({positions, texels, page});
+    EXPECT_EQ(figures.charts, 1U);
+    EXPECT_DOUBLE_EQ(figures.stretch, 1.0);
+    EXPECT_DOUBLE_EQ(figures.uv_area, 100.0);
+    // Twice as long along u: σ = 1/20, 1/10, so L2² · area ratio = (1/400 + 1/100) / 2 · 200 = 1.25.
+    for (glm::vec2& texel : texels) {
+        texel.x *= 2.0F;
+    }
+    EXPECT_NEAR(measure_uvs({positions, texels, page}).stretch, std::sqrt(1.25), 1e-12);
+    // The second triangle folded over onto the first.
+    texels = {{0, 0}, {10, 0}, {10, 10}, {0, 0}, {10, 10}, {10, 0}};
+    figures = measure_uvs({positions, texels, page});
+    EXPECT_EQ(figures.overlapping, 2U);
+    EXPECT_EQ(figures.charts, 1U);
+}
+
+} // namespace
+} // namespace vkbake

@@ -1,0 +1,101 @@
+// Charts, share used, stretch and seconds: ours and xatlas's, on the same welded meshes, with the same gutter and the
+// same texels per metre, counted by the same counter from the UVs that each gives.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "atlas/make_atlas.hpp"
+#include "atlas/measure_uvs.hpp"
+#include "bench/atlas/xatlas_contender.hpp"
+#include "bench/common/program.hpp"
+#include "bench/common/timing.hpp"
+#include "surface/make_surface.hpp"
+#include "vkbake/vkbake.hpp"
+
+namespace {
+
+using namespace vkbake;
+using namespace vkbake::bench;
+
+Unwrapped unwrap_by_us(const Surface& surface, const Settings& settings) {
+    const auto start = std::chrono::steady_clock::now();
+    const Atlas atlas = make_atlas({}, surface, settings);
+    Unwrapped result;
+    result.chart_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.density = atlas.density;
+    result.page = atlas.page;
+    for (std::size_t corner = 0; corner < atlas.uvs.size(); ++corner) {
+        const AtlasPage& page = atlas.pages[atlas.page[corner / 3]];
+        result.texels.emplace_back(atlas.uvs[corner].x * static_cast<float>(page.width),
+                                   atlas.uvs[corner].y * static_cast<float>(page.height));
+    }
+    for (const AtlasPage& page : atlas.pages) {
+        result.pages_area += static_cast<double>(page.width) * page.height;
+    }
+    return result;
+}
+
+/// Prints a line; the seconds are the medians.
+void report(const std::string& scene, const std::string& who, const Surface& surface, int repeats,
+            const std::function<Unwrapped()>& unwrap) {
+    std::vector<double> chart_seconds;
+    std::vector<double> pack_seconds;
+    Unwrapped last;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        last = unwrap();
+        chart_seconds.push_back(last.chart_seconds);
+        pack_seconds.push_back(last.pack_seconds);
+    }
+    const UvFigures figures = measure_uvs({surface.positions, last.texels, last.page});
+    fmt::print("| {} | {} | {} | {} | {:.3f} | {:.4f} | {:.2f} | {:.2f} | {:.0f} | {} | {} | {} |\n", scene, who,
+               surface.triangle_count(), figures.charts, figures.uv_area / last.pages_area, figures.stretch,
+               median(chart_seconds), median(pack_seconds), last.pages_area, figures.overlapping, figures.mirrored,
+               figures.unmapped);
+    std::fflush(stdout);
+}
+
+int run(int argument_count, char** arguments) {
+    std::vector<std::filesystem::path> scenes;
+    Settings settings{.uv = UvSource::make, .charts = ChartMaker::grown, .gutter = 4};
+    int repeats = 3;
+    bool ours_alone = false;
+    CLI::App app("Our charts and xatlas's, side by side.", "vkbake_bench_atlas");
+    app.add_option("scene", scenes, "glTF files")->required();
+    app.add_option("--size", settings.size, "the side that xatlas is asked for");
+    app.add_option("--gutter", settings.gutter, "empty texels between charts");
+    app.add_option("--repeats", repeats, "runs; the median is printed")->check(CLI::Range(1, 100));
+    app.add_flag_callback(
+        "--polypack", [&] { settings.charts = ChartMaker::polypack; }, "the thesis's charts");
+    app.add_flag("--ours", ours_alone, "leave xatlas out: pages of --size, filled");
+    CLI11_PARSE(app, argument_count, arguments);
+    fmt::print(
+        "| scene | by | triangles | charts | own share | L2 | chart s | pack s | texels | overlapping | mirrored | "
+        "unmapped |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const auto& file : scenes) {
+        const Scene scene = load_scene(file);
+        const Surface surface = make_surface(scene);
+        Settings same = settings;
+        if (!ours_alone) {
+            report(scene.name, "xatlas", surface, repeats, [&] {
+                Unwrapped result = unwrap_by_xatlas(surface, settings.size, settings.gutter);
+                same.density = result.density;
+                return result;
+            });
+            same.max_pages = 100;
+        }
+        report(scene.name, "vkbake", surface, repeats, [&] { return unwrap_by_us(surface, same); });
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argument_count, char** arguments) {
+    return run_program("vkbake_bench_atlas", [&] { return run(argument_count, arguments); });
+}
