@@ -12,8 +12,8 @@ struct ProgressReport {
     double rays_per_second = 0.0; ///< while tracing, otherwise 0
 };
 
-/// Called from the thread that called bake, at least once a stage and some ten times a second while tracing.
-/// Return false to stop: bake then throws Error{interrupted}. May be empty.
+/// Called from the thread that called bake, at least once a stage and some ten times a second while tracing; or that
+/// called a function which writes. Return false to stop: the function then throws Error{interrupted}. May be empty.
 using Progress = std::function<bool(const ProgressReport&)>;
 
 } // namespace vkbake

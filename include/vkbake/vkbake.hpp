@@ -47,14 +47,19 @@ struct WriteSettings {
 };
 
 /// Writes lightmaps/NAME.exr, SCENE.glb (where the scene has a source) and, last, manifest.json; returns their paths,
-/// relative to the directory, manifest last. Each appears under its name only when complete. Throws Error{output}.
-std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings);
+/// relative to the directory, manifest last. Each appears under its name only when complete. `progress` is asked many
+/// times a second until the first takes its name; where it returns false nothing has changed in the directory.
+/// Throws Error{output}, Error{interrupted}.
+std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings,
+                                              const Progress& progress = {});
 
-/// Any format that OpenImageIO reads; 8-bit files are taken for sRGB and linearised. Throws Error{bad_input}.
+/// EXR, HDR, PNG or JPEG, told from the first bytes; 8-bit files are taken for sRGB and linearised. Throws
+/// Error{bad_input}.
 [[nodiscard]] Image read_image(const std::filesystem::path& file);
 
 /// EXR and HDR: the values as they are (EXR with coverage); PNG: 8 bits, the values clamped to [0,1] and written as
-/// they are (render's are encoded already). Written beside, then renamed. Throws Error{output}.
-void write_image(const std::filesystem::path& file, const Image& image);
+/// they are (render's are encoded already). Written beside, then renamed. `progress` as write_bake's. Throws
+/// Error{output}, Error{interrupted}.
+void write_image(const std::filesystem::path& file, const Image& image, const Progress& progress = {});
 
 } // namespace vkbake

@@ -90,7 +90,6 @@ int run_bake(BakeOptions options) {
     if (options.output.empty()) {
         options.output = std::filesystem::path(options.scene).stem().string() + "-baked";
     }
-    catch_interrupts();
     const Scene scene = load_scene(options.scene, options.load);
     const Sky sky = options.sky.load();
     const Device device = open_device({.name = options.device});
@@ -100,10 +99,9 @@ int run_bake(BakeOptions options) {
         ProgressLine line(options.quiet);
         result = bake(scene, sky, options.settings, device,
                       [&line](const ProgressReport& report) { return line.update(report); });
-        if (!line.update({"write"})) {
-            throw Error(ErrorKind::interrupted, "interrupted");
-        }
-        files = write_bake(scene, result, {.directory = options.output, .format = format, .command = options.command});
+        stop_on_interrupt();
+        files = write_bake(scene, result, {.directory = options.output, .format = format, .command = options.command},
+                           [&line](const ProgressReport& report) { return line.update(report); });
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (options.json) {

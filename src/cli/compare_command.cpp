@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "interrupt.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ int run_compare(const CompareOptions& options) {
     }
     if (!options.difference.empty()) {
         write_image(options.difference,
-                    options.difference.ends_with(".png") ? visible_difference(comparison) : comparison.difference);
+                    options.difference.ends_with(".png") ? visible_difference(comparison) : comparison.difference,
+                    stopping());
     }
     const auto larger = static_cast<double>(std::max(comparison.covered_a, comparison.covered_b));
     if (!options.allow_partial && static_cast<double>(comparison.covered_both) < least_shared_coverage * larger) {

@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "interrupt.hpp"
 
 #include <array>
 #include <exception>
@@ -36,6 +37,7 @@ int parse_and_run(int argument_count, char** arguments) {
         fmt::print(stderr, "vkbake: {}; see vkbake --help\n", error.what());
         return static_cast<int>(ErrorKind::usage);
     }
+    cli::end_on_interrupt();
     return invocation.run();
 }
 

@@ -1,5 +1,6 @@
 #include "bake_options.hpp"
 #include "command.hpp"
+#include "interrupt.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -77,7 +78,7 @@ int run_render(RenderOptions options) {
     }
     const Scene scene = load_scene(file, options.load);
     const Image picture = render(scene, options.sky.load(), options.settings, open_device({.name = options.device}));
-    write_image(options.output, picture);
+    write_image(options.output, picture, stopping());
     fmt::print("{}\n", options.output);
     return exit_done;
 }

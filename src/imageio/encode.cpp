@@ -28,20 +28,19 @@ std::string one_line(std::string text) {
 /// An image file in memory that OpenImageIO writes into.
 class MemoryOutput {
 public:
-    MemoryOutput(const std::string& format, const OIIO::ImageSpec& spec)
-        : m_proxy(m_bytes), m_output(OIIO::ImageOutput::create(format)), m_format(format) {
+    MemoryOutput(const std::string& format, const OIIO::ImageSpec& spec, const Poll& poll)
+        : m_proxy(m_bytes), m_output(OIIO::ImageOutput::create(format)), m_format(format), m_poll(poll) {
         require(m_output != nullptr);
         require(m_output->set_ioproxy(&m_proxy) && m_output->open("memory." + format, spec));
     }
 
-    [[nodiscard]] OIIO::ImageOutput& output() const { return *m_output; }
-
-    void require(bool done) const {
-        if (!done) {
-            const std::string reason = m_output ? m_output->geterror() : OIIO::geterror();
-            throw Error(ErrorKind::output,
-                        "encoding " + m_format + ": " + one_line(reason) + "; choose another format");
+    /// Calls write(output), which writes some rows and returns whether it could.
+    template<class Write>
+    void rows(const Write& write) {
+        if (m_poll) {
+            m_poll();
         }
+        require(write(*m_output));
     }
 
     [[nodiscard]] std::vector<std::uint8_t> finish() {
@@ -50,10 +49,19 @@ public:
     }
 
 private:
+    void require(bool done) const {
+        if (!done) {
+            const std::string reason = m_output ? m_output->geterror() : OIIO::geterror();
+            throw Error(ErrorKind::output,
+                        "encoding " + m_format + ": " + one_line(reason) + "; choose another format");
+        }
+    }
+
     std::vector<std::uint8_t> m_bytes;
     OIIO::Filesystem::IOVecOutput m_proxy;
     std::unique_ptr<OIIO::ImageOutput> m_output; // closes itself into the proxy when it goes, so it goes first
     std::string m_format;
+    const Poll& m_poll;
 };
 
 OIIO::ImageSpec make_spec(int width, int height, int channels, OIIO::TypeDesc::BASETYPE type,
@@ -77,7 +85,7 @@ void check(const Image& image) {
     }
 }
 
-EncodedFile encode_exr(const Image& image, const Attributes& attributes) {
+EncodedFile encode_exr(const Image& image, const Attributes& attributes, const Poll& poll) {
     const std::size_t channels = image.coverage.empty() ? 4 : 5;
     OIIO::ImageSpec spec =
         make_spec(image.width, image.height, static_cast<int>(channels), OIIO::TypeDesc::FLOAT, attributes);
@@ -87,7 +95,7 @@ EncodedFile encode_exr(const Image& image, const Attributes& attributes) {
     spec.tile_width = spec.tile_height = exr_tile;
     spec.attribute("compression", "zip");
     spec.attribute("oiio:ColorSpace", "Linear");
-    MemoryOutput memory("openexr", spec);
+    MemoryOutput memory("openexr", spec, poll);
 
     const auto width = static_cast<std::size_t>(image.width);
     std::vector<float> rows(width * exr_tile * channels);
@@ -100,8 +108,9 @@ EncodedFile encode_exr(const Image& image, const Attributes& attributes) {
                 *next++ = image.coverage[texel];
             }
         }
-        memory.require(
-            memory.output().write_tiles(0, image.width, top, bottom, 0, 1, OIIO::TypeDesc::FLOAT, rows.data()));
+        memory.rows([&](OIIO::ImageOutput& output) {
+            return output.write_tiles(0, image.width, top, bottom, 0, 1, OIIO::TypeDesc::FLOAT, rows.data());
+        });
     }
     return {memory.finish(), 0};
 }
@@ -131,9 +140,9 @@ glm::vec3 round_to_rgbe(const glm::vec3& color) {
     return glm::min(result, glm::vec3(largest_rgbe));
 }
 
-EncodedFile encode_hdr(const Image& image, const Attributes& attributes) {
+EncodedFile encode_hdr(const Image& image, const Attributes& attributes, const Poll& poll) {
     EncodedFile file;
-    MemoryOutput memory("hdr", make_spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT, attributes));
+    MemoryOutput memory("hdr", make_spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT, attributes), poll);
     std::vector<glm::vec3> row(static_cast<std::size_t>(image.width));
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
@@ -143,7 +152,8 @@ EncodedFile encode_hdr(const Image& image, const Attributes& attributes) {
             }
             row[static_cast<std::size_t>(x)] = round_to_rgbe(color);
         }
-        memory.require(memory.output().write_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data()));
+        memory.rows(
+            [&](OIIO::ImageOutput& output) { return output.write_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data()); });
     }
     file.bytes = memory.finish();
     return file;
@@ -155,14 +165,14 @@ constexpr OIIO::TypeDesc::BASETYPE integer_type() {
 }
 
 template<typename Value>
-EncodedFile encode_png(const Image& image, std::string_view space, const Attributes& attributes) {
+EncodedFile encode_png(const Image& image, std::string_view space, const Attributes& attributes, const Poll& poll) {
     constexpr auto largest = static_cast<float>(std::numeric_limits<Value>::max());
     const auto is_opaque = [](const glm::vec4& texel) { return texel.w == 1.0F; };
     const bool opaque = std::all_of(image.texels.begin(), image.texels.end(), is_opaque);
     const int channels = opaque ? 3 : 4;
     OIIO::ImageSpec spec = make_spec(image.width, image.height, channels, integer_type<Value>(), attributes);
     spec.attribute("oiio:ColorSpace", std::string(space));
-    MemoryOutput memory("png", spec);
+    MemoryOutput memory("png", spec, poll);
 
     EncodedFile file;
     std::vector<Value> row(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(channels));
@@ -176,14 +186,15 @@ EncodedFile encode_png(const Image& image, std::string_view space, const Attribu
                 *next++ = static_cast<Value>(std::nearbyint(value * largest));
             }
         }
-        memory.require(memory.output().write_scanline(y, 0, integer_type<Value>(), row.data()));
+        memory.rows(
+            [&](OIIO::ImageOutput& output) { return output.write_scanline(y, 0, integer_type<Value>(), row.data()); });
     }
     file.bytes = memory.finish();
     return file;
 }
 
 std::vector<std::uint8_t> encode_bytes(int width, int height, int channels, std::span<const std::uint8_t> texels,
-                                       std::string_view space, const Attributes& attributes) {
+                                       std::string_view space, const Attributes& attributes, const Poll& poll) {
     const std::size_t count = static_cast<std::size_t>(std::max(width, 0)) *
                               static_cast<std::size_t>(std::max(height, 0)) * static_cast<std::size_t>(channels);
     if (count == 0 || texels.size() != count) {
@@ -192,36 +203,43 @@ std::vector<std::uint8_t> encode_bytes(int width, int height, int channels, std:
     }
     OIIO::ImageSpec spec = make_spec(width, height, channels, OIIO::TypeDesc::UINT8, attributes);
     spec.attribute("oiio:ColorSpace", std::string(space));
-    MemoryOutput memory("png", spec);
-    memory.require(memory.output().write_image(OIIO::TypeDesc::UINT8, texels.data()));
+    MemoryOutput memory("png", spec, poll);
+    constexpr int band = 64;
+    for (int top = 0; top < height; top += band) {
+        const std::uint8_t* const first =
+            &texels[count / static_cast<std::size_t>(height) * static_cast<std::size_t>(top)];
+        memory.rows([&](OIIO::ImageOutput& output) {
+            return output.write_scanlines(top, std::min(top + band, height), 0, OIIO::TypeDesc::UINT8, first);
+        });
+    }
     return memory.finish();
 }
 
 } // namespace
 
-EncodedFile encode_image(const Image& image, ImageFormat format, const Attributes& attributes) {
+EncodedFile encode_image(const Image& image, ImageFormat format, const Attributes& attributes, const Poll& poll) {
     check(image);
     switch (format) {
     case ImageFormat::exr:
-        return encode_exr(image, attributes);
+        return encode_exr(image, attributes, poll);
     case ImageFormat::hdr:
-        return encode_hdr(image, attributes);
+        return encode_hdr(image, attributes, poll);
     case ImageFormat::png16:
-        return encode_png<std::uint16_t>(image, "Linear", attributes);
+        return encode_png<std::uint16_t>(image, "Linear", attributes, poll);
     case ImageFormat::png8:
-        return encode_png<std::uint8_t>(image, "sRGB", attributes);
+        return encode_png<std::uint8_t>(image, "sRGB", attributes, poll);
     }
     throw Error(ErrorKind::output, "image: its format is none of the known ones; choose EXR, HDR or PNG");
 }
 
 std::vector<std::uint8_t> encode_srgb_png(int width, int height, std::span<const std::uint8_t> texels,
-                                          const Attributes& attributes) {
-    return encode_bytes(width, height, 3, texels, "sRGB", attributes);
+                                          const Attributes& attributes, const Poll& poll) {
+    return encode_bytes(width, height, 3, texels, "sRGB", attributes, poll);
 }
 
 std::vector<std::uint8_t> encode_grey_png(int width, int height, std::span<const std::uint8_t> texels,
-                                          const Attributes& attributes) {
-    return encode_bytes(width, height, 1, texels, "Linear", attributes);
+                                          const Attributes& attributes, const Poll& poll) {
+    return encode_bytes(width, height, 1, texels, "Linear", attributes, poll);
 }
 
 } // namespace vkbake

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,16 +30,21 @@ struct EncodedFile {
     std::uint64_t changed_values = 0;
 };
 
+/// Called between bands of rows and blocks of bytes, so many times a second; what it throws ends the work. May be
+/// empty.
+using Poll = std::function<void()>;
+
 /// PNG files have alpha only where it is not 1 everywhere. Throws Error{output} where the image's arrays do not fit its
 /// size.
-[[nodiscard]] EncodedFile encode_image(const Image& image, ImageFormat format, const Attributes& attributes = {});
+[[nodiscard]] EncodedFile encode_image(const Image& image, ImageFormat format, const Attributes& attributes = {},
+                                       const Poll& poll = {});
 
 /// A PNG of three channels from sRGB-encoded bytes: 3 · width · height. Throws Error{output}.
 [[nodiscard]] std::vector<std::uint8_t> encode_srgb_png(int width, int height, std::span<const std::uint8_t> texels,
-                                                        const Attributes& attributes = {});
+                                                        const Attributes& attributes = {}, const Poll& poll = {});
 
 /// As encode_srgb_png, from linear values: 1 channel.
 [[nodiscard]] std::vector<std::uint8_t> encode_grey_png(int width, int height, std::span<const std::uint8_t> texels,
-                                                        const Attributes& attributes = {});
+                                                        const Attributes& attributes = {}, const Poll& poll = {});
 
 } // namespace vkbake

@@ -1,5 +1,6 @@
 #include "imageio/staged_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -59,21 +60,26 @@ std::filesystem::path create_beside(const std::filesystem::path& path) {
 }
 
 void fill(const std::filesystem::path& temporary, const std::filesystem::path& path,
-          std::span<const std::uint8_t> bytes) {
+          std::span<const std::uint8_t> bytes, const std::function<void()>& poll) {
+    constexpr std::size_t block = std::size_t{16} << 20U; // a fraction of a second on a slow disk
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
     if (file.number() < 0) {
         fail(path, "cannot be written", errno);
     }
     while (!bytes.empty()) {
-        const ssize_t written = ::write(file.number(), bytes.data(), bytes.size());
+        if (poll) {
+            poll();
+        }
+        const ssize_t written = ::write(file.number(), bytes.data(), std::min(bytes.size(), block));
         if (written < 0 && errno != EINTR) {
             fail(path, "cannot be written", errno);
         }
         bytes = bytes.subspan(static_cast<std::size_t>(written > 0 ? written : 0));
-    }
-    // Without this a crash soon after the rename may leave an empty file under the final name.
-    if (::fsync(file.number()) != 0 && errno != EINVAL) {
-        fail(path, "cannot be written", errno);
+        // Without this a crash soon after the rename may leave an empty file under the final name. Block by block, as
+        // nothing can end the wait for a disk.
+        if (::fsync(file.number()) != 0 && errno != EINVAL) {
+            fail(path, "cannot be written", errno);
+        }
     }
     if (!file.close()) {
         fail(path, "cannot be written", errno);
@@ -82,7 +88,8 @@ void fill(const std::filesystem::path& temporary, const std::filesystem::path& p
 
 } // namespace
 
-StagedFile::StagedFile(std::filesystem::path final_path, std::span<const std::uint8_t> bytes)
+StagedFile::StagedFile(std::filesystem::path final_path, std::span<const std::uint8_t> bytes,
+                       const std::function<void()>& poll)
     : m_final(std::move(final_path)) {
     std::error_code error;
     if (m_final.has_parent_path()) {
@@ -93,7 +100,7 @@ StagedFile::StagedFile(std::filesystem::path final_path, std::span<const std::ui
     }
     m_temporary = create_beside(m_final);
     try {
-        fill(m_temporary, m_final, bytes);
+        fill(m_temporary, m_final, bytes, poll);
     } catch (...) {
         std::filesystem::remove(m_temporary, error);
         throw;

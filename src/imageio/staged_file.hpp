@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 namespace vkbake {
@@ -13,8 +14,9 @@ namespace vkbake {
 class StagedFile {
 public:
     /// Makes the directories above `final_path` where they are missing. Throws Error{output}; then nothing is left
-    /// behind but directories.
-    StagedFile(std::filesystem::path final_path, std::span<const std::uint8_t> bytes);
+    /// behind but directories. `poll` is called between blocks of bytes; what it throws ends the writing likewise.
+    StagedFile(std::filesystem::path final_path, std::span<const std::uint8_t> bytes,
+               const std::function<void()>& poll = {});
     ~StagedFile();
     StagedFile(StagedFile&& other) noexcept;
     StagedFile& operator=(StagedFile&&) = delete;

@@ -29,8 +29,15 @@ ImageFormat format_of(const std::filesystem::path& file) {
 
 } // namespace
 
-void write_image(const std::filesystem::path& file, const Image& image) {
-    at_boundary([&] { StagedFile(file, encode_image(image, format_of(file)).bytes).commit(); });
+void write_image(const std::filesystem::path& file, const Image& image, const Progress& progress) {
+    at_boundary([&] {
+        const Poll poll = [&] {
+            if (progress && !progress({"write"})) {
+                throw Error(ErrorKind::interrupted, "interrupted");
+            }
+        };
+        StagedFile(file, encode_image(image, format_of(file), {}, poll).bytes, poll).commit();
+    });
 }
 
 } // namespace vkbake

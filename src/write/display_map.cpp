@@ -5,19 +5,29 @@
 #include <cmath>
 #include <numbers>
 
-#include "imageio/encode.hpp"
 #include "imageio/srgb.hpp"
 
 namespace vkbake {
 namespace {
 
-float greatest_value(const Image& image) {
+template<class Visit>
+void each_texel(const Image& image, const Poll& poll, const Visit& visit) {
+    constexpr std::size_t between_polls = 1U << 16U;
+    for (std::size_t texel = 0; texel < image.texels.size(); ++texel) {
+        if (poll && texel % between_polls == 0) {
+            poll();
+        }
+        visit(image.texels[texel]);
+    }
+}
+
+float greatest_value(const Image& image, const Poll& poll) {
     float greatest = 0.0F;
-    for (const glm::vec4& texel : image.texels) {
+    each_texel(image, poll, [&](const glm::vec4& texel) {
         for (int channel = 0; channel < 3 && texel.w > 0.0F; ++channel) {
             greatest = std::isfinite(texel[channel]) ? std::max(greatest, texel[channel]) : greatest;
         }
-    }
+    });
     return greatest > 0.0F ? greatest : 1.0F;
 }
 
@@ -38,29 +48,29 @@ std::array<double, 255> srgb_borders() {
 
 } // namespace
 
-DisplayMap make_display_map(const std::string& name, const Image& image, Mode mode) {
+DisplayMap make_display_map(const std::string& name, const Image& image, Mode mode, const Poll& poll) {
     DisplayMap map{name, {}, {}, 1.0};
     std::vector<std::uint8_t> texels;
     if (mode == Mode::ao) {
         texels.reserve(image.texels.size());
-        for (const glm::vec4& texel : image.texels) {
+        each_texel(image, poll, [&](const glm::vec4& texel) {
             const double visibility = texel.w > 0.0F ? share_of(texel.x, 1.0) : 0.0;
             texels.push_back(static_cast<std::uint8_t>(std::lround(visibility * 255.0)));
-        }
-        map.png = encode_grey_png(image.width, image.height, texels);
+        });
+        map.png = encode_grey_png(image.width, image.height, texels, {}, poll);
         return map;
     }
-    const double greatest = static_cast<double>(greatest_value(image));
+    const double greatest = static_cast<double>(greatest_value(image, poll));
     const std::array<double, 255> borders = srgb_borders();
     texels.reserve(3 * image.texels.size());
-    for (const glm::vec4& texel : image.texels) {
+    each_texel(image, poll, [&](const glm::vec4& texel) {
         for (int channel = 0; channel < 3; ++channel) {
             const double share = texel.w > 0.0F ? share_of(texel[channel], greatest) : 0.0;
             const auto* const border = std::upper_bound(borders.begin(), borders.end(), share);
             texels.push_back(static_cast<std::uint8_t>(border - borders.begin()));
         }
-    }
-    map.png = encode_srgb_png(image.width, image.height, texels);
+    });
+    map.png = encode_srgb_png(image.width, image.height, texels, {}, poll);
     map.intensity = std::numbers::pi * greatest;
     return map;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "imageio/encode.hpp"
 #include "vkbake/image.hpp"
 #include "vkbake/settings.hpp"
 
@@ -20,6 +21,7 @@ struct DisplayMap {
 /// Irradiance: each channel as sRGB of value ÷ greatest value of the map, so intensity = π × that; a map that is black
 /// everywhere counts as one whose greatest value is 1. Ao: the first channel in [0,1]. Texels without a value (A = 0)
 /// are black; NaN and negative values count as 0, infinite ones as the greatest finite.
-[[nodiscard]] DisplayMap make_display_map(const std::string& name, const Image& image, Mode mode);
+[[nodiscard]] DisplayMap make_display_map(const std::string& name, const Image& image, Mode mode,
+                                          const Poll& poll = {});
 
 } // namespace vkbake

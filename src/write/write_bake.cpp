@@ -68,10 +68,10 @@ void check(const Scene& scene, const Bake& bake) {
 /// All files of one bake: each complete beside its name before the first takes its name.
 class Output {
 public:
-    explicit Output(std::filesystem::path directory) : m_directory(std::move(directory)) {}
+    Output(std::filesystem::path directory, const Poll& poll) : m_directory(std::move(directory)), m_poll(poll) {}
 
     void stage(const std::string& file, std::span<const std::uint8_t> bytes) {
-        m_staged.emplace_back(m_directory / file, bytes);
+        m_staged.emplace_back(m_directory / file, bytes, m_poll);
         m_files.push_back({file, bytes.size(), hash_of(bytes)});
     }
 
@@ -88,8 +88,29 @@ public:
 
 private:
     std::filesystem::path m_directory;
+    const Poll& m_poll;
     std::vector<StagedFile> m_staged;
     std::vector<WrittenFile> m_files;
+};
+
+/// Asks the caller whether to go on.
+class Asking {
+public:
+    Asking(const Progress& progress, std::size_t maps) : m_progress(progress), m_maps(static_cast<double>(maps)) {}
+
+    void map_done() { ++m_done; }
+
+    void operator()() {
+        if (m_progress &&
+            !m_progress({"write", m_done / (m_maps + 1.0)})) { // what comes after the maps counts as one more
+            throw Error(ErrorKind::interrupted, "interrupted");
+        }
+    }
+
+private:
+    const Progress& m_progress;
+    double m_maps;
+    double m_done = 0.0;
 };
 
 /// The scene that was read must not be replaced by the baked one, unless it is a baked one itself.
@@ -104,15 +125,18 @@ void keep_source(const Scene& scene, const std::filesystem::path& file) {
     }
 }
 
-std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& bake, const WriteSettings& settings) {
+std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& bake, const WriteSettings& settings,
+                                               const Progress& progress) {
     const FileFormat format = file_format(settings.format);
-    Output output(settings.directory);
+    Asking asking(progress, bake.light_maps.size());
+    const Poll poll = [&asking] { asking(); };
+    Output output(settings.directory, poll);
     std::vector<WrittenMap> written;
     std::vector<DisplayMap> display;
     std::vector<std::string> notes = bake.notes;
     for (const LightMap& map : bake.light_maps) {
         const std::string file = "lightmaps/" + map.name + format.extension;
-        const EncodedFile encoded = encode_image(map.image, format.format, provenance(bake, map.name));
+        const EncodedFile encoded = encode_image(map.image, format.format, provenance(bake, map.name), poll);
         output.stage(file, encoded.bytes);
         if (encoded.changed_values > 0) {
             notes.push_back(file + ": " + std::to_string(encoded.changed_values) +
@@ -120,11 +144,12 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
         }
         DisplayMap picture;
         if (scene.source) {
-            picture = make_display_map(map.name, map.image, bake.settings.mode);
+            picture = make_display_map(map.name, map.image, bake.settings.mode, poll);
             picture.linear_file = file;
         }
         written.push_back({file, picture.intensity, encoded.changed_values});
         display.push_back(std::move(picture));
+        asking.map_done();
     }
     if (scene.source) {
         const std::string file = file_stem(scene.name) + ".glb";
@@ -141,11 +166,12 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
 
 } // namespace
 
-std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings) {
+std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings,
+                                              const Progress& progress) {
     return at_boundary([&] {
         check(scene, bake);
         try {
-            return write_files(scene, bake, settings);
+            return write_files(scene, bake, settings, progress);
         } catch (const Json::exception& error) {
             throw Error(ErrorKind::output, std::string("write: ") + error.what() + "; use names in UTF-8");
         }

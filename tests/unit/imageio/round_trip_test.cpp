@@ -192,6 +192,17 @@ TEST(Write, AFullDiskKeepsTheOldFile) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "a temporary was left";
 }
 
+TEST(Write, AnInterruptedPictureKeepsTheOldFile) {
+    const TemporaryFolder folder;
+    const Image old = test::filled(2, 2, glm::vec4(1.0F));
+    write_image(folder / "map.exr", old);
+    message_of(ErrorKind::interrupted, [&] {
+        write_image(folder / "map.exr", gradient(true), [](const ProgressReport& /*report*/) { return false; });
+    });
+    EXPECT_TRUE(same_bits(read_image(folder / "map.exr"), old));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "a temporary was left";
+}
+
 TEST(Write, AFileThatCannotBePutInPlace) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "map.png"); // no file can be renamed onto a folder

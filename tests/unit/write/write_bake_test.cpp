@@ -127,6 +127,40 @@ TEST(WriteBake, AFailedRunChangesNothing) {
     EXPECT_EQ(contents(folder.path()), before);
 }
 
+/// Wherever it is told to stop: nothing of it is left, and what stood there stands. When it has been asked for the last
+/// time it is done.
+TEST(WriteBake, AnInterruptedOneChangesNothing) {
+    const TestFolder folder;
+    write_bake(make_scene(), make_bake(), {folder.path(), LightMapFormat::exr, "first"});
+    const auto before = contents(folder.path());
+    for (const LightMapFormat format : {LightMapFormat::exr, LightMapFormat::hdr, LightMapFormat::png}) {
+        const auto write = [&](int last, int& asked) {
+            double share = 0.0;
+            write_bake(make_scene(), make_bake(), {folder.path(), format, "second"}, [&](const ProgressReport& report) {
+                EXPECT_EQ(report.stage, "write");
+                EXPECT_TRUE(report.share >= share && report.share <= 1.0);
+                share = report.share;
+                return ++asked < last;
+            });
+        };
+        for (int last = 1;; ++last) {
+            int asked = 0;
+            try {
+                write(last, asked);
+                EXPECT_GE(asked, 8); // two maps and their pictures, encoded and stored
+                EXPECT_NE(contents(folder.path()), before);
+                std::filesystem::remove_all(folder.path());
+                write_bake(make_scene(), make_bake(), {folder.path(), LightMapFormat::exr, "first"});
+                break;
+            } catch (const Error& error) {
+                EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+                EXPECT_EQ(asked, last);
+                EXPECT_EQ(contents(folder.path()), before);
+            }
+        }
+    }
+}
+
 TEST(WriteBake, AFolderThatCannotBeMade) {
     const TestFolder folder;
     std::ofstream(folder / "file") << "in the way";
