@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,11 +20,21 @@ void redirect_output(const std::string& file) {
     close(opened);
 }
 
+void limit(int resource, std::uint64_t bytes) {
+    if (bytes > 0) {
+        const rlimit most{bytes, bytes};
+        setrlimit(static_cast<__rlimit_resource_t>(resource), &most);
+    }
+}
+
 /// In the child; never returns.
 [[noreturn]] void become_vkbake(const std::vector<std::string>& arguments, const RunOptions& options) {
     for (const auto& [name, value] : options.environment) {
         setenv(name.c_str(), value.c_str(), 1);
     }
+    limit(RLIMIT_AS, options.address_space);
+    limit(RLIMIT_FSIZE, options.largest_file);
+    signal(SIGXFSZ, SIG_IGN); // so that writing fails as on a full disk
     std::vector<std::string> words{VKBAKE_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;

@@ -1,6 +1,7 @@
 // Runs the program and catches what it says.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -17,7 +18,9 @@ struct Outcome {
 struct RunOptions {
     std::string directory = ".";
     std::vector<std::pair<std::string, std::string>> environment; ///< added to this process's
-    std::string interrupt_at; ///< send SIGINT once standard error holds this; empty: never
+    std::string interrupt_at;        ///< send SIGINT once standard error holds this; empty: never
+    std::uint64_t largest_file = 0;  ///< bytes that it may write to one file, as on a full disk; 0: any
+    std::uint64_t address_space = 0; ///< bytes that it may map; 0: any
 };
 
 /// The bytes of a file; none if it cannot be read.

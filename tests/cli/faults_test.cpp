@@ -1,0 +1,113 @@
+// What fails around the program: the device, the disk, the memory, the user's patience. Each ends in its status and one
+// line, and what stood there before stays as it was.
+#include "fixture.hpp"
+
+#include <fstream>
+#include <map>
+
+#include <sys/stat.h>
+
+namespace vkbake::test {
+namespace {
+
+class Faults : public Cli {
+protected:
+    using Files = std::map<std::string, std::string>;
+
+    void SetUp() override {
+        Cli::SetUp();
+        fs::create_directories(m_folder / "out/lightmaps");
+        for (const char* const file : {"plane.glb", "manifest.json", "lightmaps/lightmap.exr"}) {
+            std::ofstream(m_folder / "out" / file) << "what stood here before";
+        }
+        m_before = files();
+    }
+
+    /// All that lies in the output folder, by name.
+    [[nodiscard]] Files files() const {
+        Files all;
+        for (const auto& entry : fs::recursive_directory_iterator(m_folder / "out")) {
+            if (entry.is_regular_file()) {
+                all[entry.path().lexically_relative(m_folder).string()] = contents(entry.path());
+            }
+        }
+        return all;
+    }
+
+    [[nodiscard]] Outcome bake(const std::string& size, RunOptions options) const {
+        options.directory = m_folder.string();
+        return run_vkbake({"bake", scene("test/plane.glb"), "-o", in_folder("out"), "--size", size, "--rays", "1"},
+                          options);
+    }
+
+    /// On a device with that fault: see fault_layer.cpp.
+    [[nodiscard]] Outcome bake_with(const std::string& fault, RunOptions options = {}) const {
+        options.environment = {{"VK_ADD_LAYER_PATH", VKBAKE_LAYER_DIR},
+                               {"VK_INSTANCE_LAYERS", "VK_LAYER_VKBAKE_fault"},
+                               {"VKBAKE_FAULT", fault}};
+        return bake("16", options);
+    }
+
+    void expect_refused(const Outcome& outcome, int status, const std::string& part) const {
+        EXPECT_EQ(outcome.status, status) << outcome.error;
+        const std::string line = last_line(outcome.error);
+        EXPECT_TRUE(line.starts_with("vkbake: ")) << outcome.error;
+        EXPECT_NE(line.find(part), std::string::npos) << outcome.error;
+        EXPECT_EQ(files(), m_before);
+    }
+
+    /// What a bake says before that are lines of its progress.
+    static std::string last_line(const std::string& text) {
+        const std::size_t end = text.find_last_not_of('\n') + 1;
+        const std::size_t begin = text.find_last_of('\n', end - 1) + 1;
+        return text.substr(begin, end - begin);
+    }
+
+    Files m_before;
+};
+
+TEST_F(Faults, WithoutAFaultTheLayerChangesNothing) {
+    const Outcome outcome = bake_with("none");
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_NE(files(), m_before);
+}
+
+TEST_F(Faults, ADeviceThatIsLost) {
+    for (const std::string submission : {"1", "2"}) { // the geometry image, the dilation
+        expect_refused(bake_with("lost " + submission), 1, "the Vulkan device was lost");
+    }
+}
+
+TEST_F(Faults, ADeviceWithoutMemory) {
+    for (const std::string allocation : {"1", "4"}) {
+        expect_refused(bake_with("memory " + allocation), 1, "out of device memory");
+    }
+}
+
+TEST_F(Faults, ADeviceWithoutAFeature) { expect_refused(bake_with("feature"), 4, "no feature dynamicRendering"); }
+
+/// Whatever the program waits for, Ctrl-C ends it.
+TEST_F(Faults, ADeviceThatHangsIsLeftByCtrlC) {
+    expect_refused(bake_with("hang 1", {.interrupt_at = "hanging\n"}), 130, "interrupted; nothing was written");
+}
+
+TEST_F(Faults, AFullDisk) { expect_refused(bake("64", {.largest_file = 1000}), 5, "cannot be written"); }
+
+TEST_F(Faults, AFolderThatCannotBeWrittenTo) {
+    const std::string place = geteuid() == 0 ? "/proc" : m_folder.string() + "/locked"; // nothing else stops root
+    if (geteuid() != 0) {
+        ASSERT_EQ(mkdir(place.c_str(), 0500), 0);
+    }
+    const Outcome outcome = run_vkbake({"bake", scene("test/plane.glb"), "-o", place + "/out", "--size", "16"});
+    EXPECT_EQ(outcome.status, 5) << outcome.error;
+    EXPECT_TRUE(one_line(outcome.error)) << outcome.error;
+}
+
+#ifndef VKBAKE_SANITIZED // which map address space by the terabyte
+TEST_F(Faults, AMachineWithoutMemory) {
+    expect_refused(bake("16384", {.address_space = std::uint64_t{3} << 30U}), 1, "out of memory");
+}
+#endif
+
+} // namespace
+} // namespace vkbake::test
