@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <memory>
 #include <string_view>
 #include <type_traits>
@@ -20,6 +21,10 @@ namespace {
     }
     std::replace(what.begin(), what.end(), '\n', ' ');
     throw Error(ErrorKind::bad_input, where + ": " + what + "; " + advice);
+}
+
+[[noreturn]] void refuse_damaged(const std::string& where, const OIIO::ImageInput& input) {
+    refuse(where, "cannot be decoded: " + input.geterror(), "the image is damaged or incomplete, get it again");
 }
 
 // Alpha must come as it is stored: by default OpenImageIO multiplies a PNG's colours by it.
@@ -44,8 +49,10 @@ bool read_rows(OIIO::ImageInput& input, std::vector<Value>& values) {
     const int least = std::max(spec.tile_height, 1); // tiles are read whole
     const auto fitting = static_cast<int>(std::min<std::size_t>(band_bytes / (row * sizeof(Value)), 1U << 20U));
     const int band = std::max(fitting / least, 1) * least;
-    values.reserve(row * static_cast<std::size_t>(spec.height)); // address space, no memory yet
     for (int y = 0; y < spec.height;) {
+        if (y > 0) { // address space for all, once there is something of what was announced
+            values.reserve(row * static_cast<std::size_t>(spec.height));
+        }
         const int rows = std::min(band, spec.height - y);
         const std::size_t begin = values.size();
         values.resize(begin + row * static_cast<std::size_t>(rows));
@@ -87,22 +94,21 @@ Samples<Value> read_open_input(OIIO::ImageInput& input, const std::string& where
     samples.integer = !spec.format.is_floating_point();
     samples.eight_bit = samples.integer && spec.format.size() == 1;
     if (!read_rows(input, samples.values)) {
-        refuse(where, "cannot be decoded: " + input.geterror(), "the file is damaged or incomplete, get it again");
+        refuse_damaged(where, input);
     }
     return samples;
 }
 
-/// The name of OpenImageIO's reader, or empty.
+/// The name of OpenImageIO's reader for what begins so, or empty.
 std::string_view format_of(std::span<const std::byte> bytes) {
     struct Signature {
         std::string_view magic;
         std::string_view format;
     };
-    static constexpr std::array<Signature, 5> signatures{{{"\x89PNG\r\n\x1a\n", "png"},
+    static constexpr std::array<Signature, 4> signatures{{{"\x89PNG\r\n\x1a\n", "png"},
                                                           {"\xff\xd8\xff", "jpeg"},
                                                           {"\x76\x2f\x31\x01", "openexr"},
-                                                          {"#?RADIANCE", "hdr"},
-                                                          {"#?RGBE", "hdr"}}};
+                                                          {"#?", "hdr"}}}; // #?RADIANCE, #?RGBE
     for (const Signature& signature : signatures) {
         const auto same = [](char character, std::byte byte) { return static_cast<std::byte>(character) == byte; };
         if (bytes.size() >= signature.magic.size() &&
@@ -113,37 +119,50 @@ std::string_view format_of(std::span<const std::byte> bytes) {
     return {};
 }
 
+/// The reader that the first bytes call for: OpenImageIO, left to itself, would try all that it has on a file that none
+/// can read, and each of them has faults of its own.
+std::unique_ptr<OIIO::ImageInput> make_input(std::span<const std::byte> bytes, const std::string& where) {
+    const std::string_view format = format_of(bytes);
+    if (format.empty()) {
+        refuse(where, "is of no format known here", "give an EXR, HDR, PNG or JPEG image");
+    }
+    auto input = OIIO::ImageInput::create(std::string(format));
+    if (!input) {
+        refuse(where, "there is no reader for " + std::string(format) + ": " + OIIO::geterror(),
+               "install OpenImageIO with it, or give another format");
+    }
+    return input;
+}
+
 } // namespace
 
 template<typename Value>
 Samples<Value> read_samples(const std::filesystem::path& file) {
+    const std::string where = file.string();
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
-        refuse(file.string(), "there is no such file", "check the path");
+        refuse(where, "there is no such file", "check the path");
     }
-    const OIIO::ImageSpec hints = open_hints();
-    const auto input = OIIO::ImageInput::open(file.string(), &hints);
-    if (!input) {
-        refuse(file.string(), "cannot be read as an image: " + OIIO::geterror(), "give an EXR, HDR, PNG or JPEG file");
+    std::array<char, 16> head{};
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(head.data(), head.size());
+    const auto length = static_cast<std::size_t>(stream.gcount());
+    const auto input = make_input(std::as_bytes(std::span(head)).first(length), where);
+    OIIO::ImageSpec spec;
+    if (!input->open(where, spec, open_hints())) {
+        refuse_damaged(where, *input);
     }
-    return read_open_input<Value>(*input, file.string(), SampleLimits{});
+    return read_open_input<Value>(*input, where, SampleLimits{});
 }
 
 template<typename Value>
 Samples<Value> read_samples(std::span<const std::byte> bytes, const std::string& name, const SampleLimits& limits) {
     const std::string where = "image " + name;
-    const std::string_view format = format_of(bytes);
-    if (format.empty()) {
-        refuse(where, "is of no format known here", "use PNG or JPEG");
-    }
-    const auto input = OIIO::ImageInput::create(std::string(format));
-    if (!input) {
-        refuse(where, "there is no reader for " + std::string(format) + ": " + OIIO::geterror(), "use PNG or JPEG");
-    }
+    const auto input = make_input(bytes, where);
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size()); // read only
     OIIO::ImageSpec spec;
-    if (!input->set_ioproxy(&memory) || !input->open(name + "." + std::string(format), spec, open_hints())) {
-        refuse(where, "cannot be decoded: " + input->geterror(), "the image is damaged, export it again");
+    if (!input->set_ioproxy(&memory) || !input->open(name, spec, open_hints())) {
+        refuse_damaged(where, *input);
     }
     return read_open_input<Value>(*input, where, limits);
 }

@@ -27,11 +27,12 @@ struct SampleLimits {
     std::uint64_t bytes = 8ULL << 30U; ///< of the decoded values
 };
 
-/// Value: float or std::uint8_t (where the file has more bits they are rounded to 8). Throws Error{bad_input}.
+/// PNG, JPEG, EXR or HDR, told from the first bytes. Value: float or std::uint8_t (where the file has more bits they
+/// are rounded to 8). Throws Error{bad_input}.
 template<typename Value>
 [[nodiscard]] Samples<Value> read_samples(const std::filesystem::path& file);
 
-/// PNG, JPEG, EXR or HDR, told from the first bytes; `name` is for messages. Throws Error{bad_input}.
+/// The same from memory; `name` is for messages. Throws Error{bad_input}.
 template<typename Value>
 [[nodiscard]] Samples<Value> read_samples(std::span<const std::byte> bytes, const std::string& name,
                                           const SampleLimits& limits);
