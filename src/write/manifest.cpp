@@ -43,18 +43,21 @@ Json timing_json(const Bake& bake) {
 }
 
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream || !std::filesystem::is_regular_file(file)) {
+    std::error_code ignored; // a path that cannot even be asked about is no regular file
+    std::ifstream stream;
+    if (std::filesystem::is_regular_file(file, ignored)) {
+        stream.open(file, std::ios::binary);
+    }
+    if (!stream.is_open()) {
         refuse(file, "cannot be read");
     }
-    return bytes;
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 void check_file(const std::filesystem::path& directory, const Json& entry) {
     const std::filesystem::path name = entry.at("file").get<std::string>();
     const std::filesystem::path file = directory / name;
-    if (name.is_absolute() || *name.lexically_normal().begin() == "..") {
+    if (name.empty() || name.is_absolute() || *name.lexically_normal().begin() == "..") {
         refuse(file, "lies outside the manifest's folder");
     }
     if (hash_of(read_bytes(file)) != entry.at("xxh3-128").get<std::string>()) {
