@@ -3,6 +3,7 @@
 #include "base/boundary.hpp"
 #include "finish/dilate.hpp"
 #include "geometry_image/draw.hpp"
+#include "memory_plan.hpp"
 #include "stage_clock.hpp"
 #include "surface/make_surface.hpp"
 #include "surface/resolution.hpp"
@@ -18,6 +19,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     bake.notes.insert(bake.notes.end(), sky.notes.begin(), sky.notes.end());
     StageClock clock(progress);
 
+    check_memory(memory_need(scene, sky, settings), settings);
     bake.surface = clock.run("surface", [&] { return make_surface(scene); });
     if (bake.surface.triangle_count() == 0) {
         throw Error(ErrorKind::bad_input,
@@ -30,15 +32,17 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     bake.atlas = clock.run("atlas", [&] { return make_atlas(scene, bake.surface, settings); });
     add_notes(bake.atlas.notes);
     add_notes(note_small_texels(bake.surface, bake.atlas));
+    check_memory(memory_need(scene, sky, settings, bake.atlas.pages.size()), settings);
     const Tracer tracer = clock.run("accelerator", [&] { return Tracer(bake.surface, sky, settings); });
 
     const std::size_t pages = bake.atlas.pages.size();
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
-        const GeometryImage geometry = clock.run("geometry image", [&] {
+        std::optional<GeometryImage> geometry = clock.run("geometry image", [&] {
             return draw_geometry_image(device.context(), bake.surface, bake.atlas, static_cast<std::uint32_t>(page));
         });
-        LightMap map = clock.run("trace", [&] { return tracer.trace(geometry, clock.trace_progress()); });
+        LightMap map = clock.run("trace", [&] { return tracer.trace(*geometry, clock.trace_progress()); });
+        geometry.reset(); // two thirds of the page's memory, which the next steps need
         map.name = bake.atlas.pages[page].name;
         map.statistics.filled_texels =
             clock.run("finish", [&] { return dilate(device.context(), map.image, {.rounds = settings.padding}); });

@@ -1,6 +1,7 @@
 // What a scene has and what a bake of it would make: the stages that need no device.
 #include "atlas/make_atlas.hpp"
 #include "base/boundary.hpp"
+#include "memory_plan.hpp"
 #include "surface/make_surface.hpp"
 #include "surface/resolution.hpp"
 #include "vkbake/vkbake.hpp"
@@ -94,6 +95,8 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
     for (std::uint32_t page = 0; page < atlas.pages.size(); ++page) {
         inspection.covered_texels += static_cast<std::uint64_t>(std::llround(expected_coverage(atlas, page)));
     }
+    inspection.memory = peak_memory(memory_need(scene, Sky(), settings, atlas.pages.size()));
+    inspection.memory_limit = memory_limit(settings);
     inspection.rays = inspection.covered_texels * (settings.sampler == Sampler::thesis ? 256 : settings.rays);
 }
 

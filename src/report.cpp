@@ -34,6 +34,8 @@ std::string to_json(const Inspection& inspection) {
                        {"density", inspection.density},
                        {"covered_texels", inspection.covered_texels},
                        {"rays", inspection.rays},
+                       {"memory", inspection.memory},
+                       {"memory_limit", inspection.memory_limit},
                        {"notes", inspection.notes}};
     return json.dump(2);
 }

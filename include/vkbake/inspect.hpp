@@ -30,6 +30,8 @@ struct Inspection {
     double density = 0.0;             ///< texels per metre; 0 where all UVs are kept
     std::uint64_t covered_texels = 0; ///< estimate
     std::uint64_t rays = 0;           ///< estimate
+    std::uint64_t memory = 0;         ///< bytes at the most, estimate; without a sky's picture
+    std::uint64_t memory_limit = 0;   ///< bytes that the settings, or by default the machine, allow
     std::vector<std::string> notes;
 };
 

@@ -47,6 +47,9 @@ struct Settings {
 
     // Machine
     int threads = 0; ///< workers that trace; 0: all that the machine has. Never changes the result
+    /// Bytes that a bake may take, an estimate that is checked before the work starts; absent: three quarters of what
+    /// the machine, or the process's control group, has. Never changes the result.
+    std::optional<std::uint64_t> memory_limit;
 };
 
 } // namespace vkbake

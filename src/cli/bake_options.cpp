@@ -73,6 +73,10 @@ void add_light_options(CLI::App& app, Settings& settings) {
     app.add_option("--threads", settings.threads, "That trace; 0: all cores. Never changes the result")
         ->check(CLI::Range(0, 4096))
         ->capture_default_str();
+    app.add_option("--memory-limit", settings.memory_limit,
+                   "What a bake may take, checked before it starts; without it, three quarters of what the machine has")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("BYTES|8G");
 }
 
 } // namespace vkbake::cli

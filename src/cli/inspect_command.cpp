@@ -42,8 +42,12 @@ void print_inspection(const Inspection& inspection, const Settings& settings) {
     if (inspection.density > 0.0) {
         fmt::print(", {:.4g} texels a metre", inspection.density);
     }
-    fmt::print("\n  about {} texels, {} rays\n", count_text(static_cast<double>(inspection.covered_texels)),
-               count_text(static_cast<double>(inspection.rays)));
+    fmt::print("\n  about {} texels, {} rays; at most {} of memory{}\n",
+               count_text(static_cast<double>(inspection.covered_texels)),
+               count_text(static_cast<double>(inspection.rays)), bytes_text(inspection.memory),
+               inspection.memory > inspection.memory_limit
+                   ? ", which is more than the limit of " + bytes_text(inspection.memory_limit)
+                   : std::string());
     for (const std::string& note : inspection.notes) {
         fmt::print("  note: {}\n", note);
     }

@@ -28,6 +28,11 @@ std::string count_text(double count) {
     return fmt::format("{:.{}f}{}", count, count < 99.5 && unit > 0 ? 1 : 0, units[unit]);
 }
 
+std::string bytes_text(std::uint64_t bytes) {
+    const double mebibytes = static_cast<double>(bytes) / (1 << 20);
+    return mebibytes < 999.5 ? fmt::format("{:.0f} MiB", mebibytes) : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
+}
+
 std::string grouped(std::uint64_t count) {
     return count < 1000 ? std::to_string(count) : fmt::format("{},{:03}", grouped(count / 1000), count % 1000);
 }

@@ -34,9 +34,10 @@ protected:
         return all;
     }
 
-    [[nodiscard]] Outcome bake(const std::string& size, RunOptions options) const {
+    [[nodiscard]] Outcome bake(const std::string& size, RunOptions options, const std::string& memory = "1T") const {
         options.directory = m_folder.string();
-        return run_vkbake({"bake", scene("test/plane.glb"), "-o", in_folder("out"), "--size", size, "--rays", "1"},
+        return run_vkbake({"bake", scene("test/plane.glb"), "-o", in_folder("out"), "--size", size, "--rays", "1",
+                           "--memory-limit", memory},
                           options);
     }
 
@@ -102,6 +103,33 @@ TEST_F(Faults, AFolderThatCannotBeWrittenTo) {
     EXPECT_EQ(outcome.status, 5) << outcome.error;
     EXPECT_TRUE(one_line(outcome.error)) << outcome.error;
 }
+
+TEST_F(Faults, MapsThatDoNotFitTheMemoryAllowedAreRefusedWithASizeThatDoes) {
+    const Outcome outcome = bake("16384", {}, "1G");
+    expect_refused(outcome, 2, "the limit is 1.0 GiB; use --size ");
+    const std::size_t place = outcome.error.find("--size ") + 7;
+    const std::string size = outcome.error.substr(place, outcome.error.find(',', place) - place);
+    const auto memory = [&](const std::string& side) {
+        const std::string said = run_vkbake({"inspect", scene("test/plane.glb"), "--size", side, "--json"}).out;
+        return std::stoull(said.substr(said.find("\"memory\": ") + 10));
+    };
+    EXPECT_LE(memory(size), 1ULL << 30U);
+    EXPECT_GT(memory(std::to_string(std::stoi(size) + 16)), 1ULL << 30U);
+}
+
+#ifndef VKBAKE_SANITIZED // whose own memory would be counted
+/// What is foretold is no less than what is taken, nor twice as much.
+TEST_F(Faults, ABakeStaysBelowTheMemoryForetold) {
+    for (const std::string size : {"64", "1024"}) {
+        const std::string said = run_vkbake({"inspect", scene("test/plane.glb"), "--size", size, "--json"}).out;
+        const std::uint64_t foretold = std::stoull(said.substr(said.find("\"memory\": ") + 10));
+        const Outcome outcome = bake(size, {});
+        ASSERT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_LT(outcome.peak_memory, foretold);
+        EXPECT_GT(2 * outcome.peak_memory, foretold);
+    }
+}
+#endif
 
 #ifndef VKBAKE_SANITIZED // which map address space by the terabyte
 TEST_F(Faults, AMachineWithoutMemory) {

@@ -94,7 +94,9 @@ Outcome run_vkbake(const std::vector<std::string>& arguments, const RunOptions& 
     outcome.error = listen(error_pipe[0], child, options.interrupt_at);
     close(error_pipe[0]);
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
+    outcome.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) << 10U;
     outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     outcome.out = contents(output);
     std::filesystem::remove(output);

@@ -13,6 +13,7 @@ struct Outcome {
     int status = -1; ///< exit status; 128 + signal where one ended it
     std::string out;
     std::string error;
+    std::uint64_t peak_memory = 0; ///< bytes that were resident at the most
 };
 
 struct RunOptions {

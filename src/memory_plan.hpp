@@ -1,0 +1,36 @@
+// How much memory a bake takes, foretold from what is counted before the work starts.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "vkbake/scene.hpp"
+#include "vkbake/settings.hpp"
+#include "vkbake/sky.hpp"
+
+namespace vkbake {
+
+/// What decides it.
+struct MemoryNeed {
+    std::uint64_t held = 0;       ///< bytes that scene and sky take already
+    std::uint64_t sky_texels = 0; ///< of a picture; it is copied for look-ups
+    std::uint64_t triangles = 0;  ///< over all instances
+    std::uint64_t maps = 1;
+    int size = 1; ///< side of each map, texels
+};
+
+/// Of a bake of that scene into `maps` of settings.size; absent: as many as there are at least.
+[[nodiscard]] MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& settings,
+                                     std::optional<std::uint64_t> maps = {});
+
+/// Bytes that the process takes at most from bake to the end of write_bake, Mesa's software driver included (other
+/// drivers keep much of this in the device's own memory). An upper bound of what was measured: see the .cpp.
+[[nodiscard]] std::uint64_t peak_memory(const MemoryNeed& need);
+
+/// What a bake may take: settings.memory_limit, or three quarters of what the machine has.
+[[nodiscard]] std::uint64_t memory_limit(const Settings& settings);
+
+/// Throws Error{usage} where the peak lies above the limit, with the size that would fit.
+void check_memory(const MemoryNeed& need, const Settings& settings);
+
+} // namespace vkbake
