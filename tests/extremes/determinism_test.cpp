@@ -39,6 +39,21 @@ TEST(Determinism, ThreadsInstructionSetsAndAcceleratorsGiveOneSetOfBytes) {
     }
 }
 
+TEST(Determinism, TheScenesOfTheProjectGiveOneSetOfBytesEach) {
+    for (const auto& entry : std::filesystem::directory_iterator(VKBAKE_SOURCE_DIR "/scenes/test")) {
+        SCOPED_TRACE(entry.path());
+        const Scene scene = load_scene(entry.path());
+        Settings settings = small_settings(16);
+        settings.threads = 1;
+        const HostBake expected = bake_on_host(scene, {}, settings);
+        for_every_target([&] { EXPECT_TRUE(same_light(expected, bake_on_host(scene, {}, settings))); });
+        for (const int threads : {2, 16}) {
+            settings.threads = threads;
+            EXPECT_TRUE(same_light(expected, bake_on_host(scene, {}, settings))) << threads;
+        }
+    }
+}
+
 /// Between any two renames of a second bake into the same folder: the first bake, the second, or a refusal.
 TEST(Resources, AKillBetweenRenamesLeavesOneBakeOrARefusal) {
     const TestFolder folder;

@@ -6,6 +6,7 @@
 #include "extremes/host_bake.hpp"
 #include "imageio/encode.hpp"
 #include "trace/sky_lookup.hpp"
+#include "trace/sky_sum.hpp"
 
 namespace vkbake::test {
 namespace {
@@ -109,6 +110,23 @@ TEST(Light, BlackAndTinySkies) {
 }
 
 /// What a file brings is cleaned by the reader, with a note; a sky that a caller makes with such values is refused.
+TEST(Light, SkiesOfOneTexelAreConstant) {
+    const glm::vec4 texel(0.25F, 1e-20F, 3e5F, 1.0F);
+    const Image one{1, 1, {texel}, {}};
+    const CubeSky cube{{one, one, one, one, one, one}};
+    for (const Sky& sky : {Sky{.source = EquirectangularSky{one}}, Sky{.source = cube}}) {
+        const SkyLookup lookup = make_sky_lookup(sky);
+        for (const glm::vec3& direction : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, -0.0F), glm::vec3(0, 1, 0),
+                                           glm::vec3(0, -1, 0), glm::vec3(0.6F, 0, -0.8F), glm::vec3(0, 0.6F, 0.8F)}) {
+            const glm::vec3 found = radiance(lookup, direction);
+            for (int channel = 0; channel < 3; ++channel) {
+                EXPECT_NEAR(found[channel], texel[channel],
+                            4 * 0x1p-24F * texel[channel]); // of interpolation in floats
+            }
+        }
+    }
+}
+
 TEST(Light, RadianceThatIsNoneIsRefusedWhereNoReaderCleansIt) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), infinite, -infinite, -1.0F, -1e-30F}) {

@@ -49,7 +49,7 @@ ClosedMesh mapped_sphere(std::uint64_t seed) {
 std::vector<ClosedMesh> closed_meshes() {
     std::vector<ClosedMesh> meshes;
     meshes.push_back({test::sphere(2, 1.0F, glm::vec3(0.0F)), glm::vec3(0.0F), 0.4F});
-    meshes.push_back({test::sphere(8, 0.9F, {0.03F, 0.05F, -0.07F}), {0.03F, 0.05F, -0.07F}, 0.4F});
+    meshes.push_back({test::sphere(9, 0.9F, {0.03F, 0.05F, -0.07F}), {0.03F, 0.05F, -0.07F}, 0.4F});
     meshes.push_back(needles());
     meshes.push_back({test::cube(8), glm::vec3(0.0F), 0.9F});
     for (const std::uint64_t seed : {1U, 2U, 3U}) {

@@ -14,7 +14,7 @@ struct ClosedMesh {
     float inner = 0.0F;     ///< within this of it, along each axis: inside the mesh
 };
 
-/// Spheres of 128 and of half a million triangles, a cone of needles (1 : 10⁷), a cube with exact coordinates, and
+/// Spheres of 128 and of two million triangles, a cone of needles (1 : 10⁷), a cube with exact coordinates, and
 /// spheres after random affine maps.
 [[nodiscard]] std::vector<ClosedMesh> closed_meshes();
 

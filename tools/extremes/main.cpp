@@ -16,7 +16,6 @@
 #include <hwy/highway.h>
 
 #include "closed_meshes.hpp"
-#include "extremes/damage.hpp"
 
 namespace vkbake::extremes {
 namespace {
@@ -127,61 +126,16 @@ int run(std::uint64_t rays) {
     return faults == 0 ? 0 : 1;
 }
 
-/// Damages files for so long; a crash or a hang ends it, with the last seed printed.
-int damage(double seconds, std::uint64_t first) {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "vkbake-extremes";
-    test::Readers readers(folder);
-    std::array<std::uint64_t, 5> tried{};
-    std::array<std::uint64_t, 5> accepted{};
-    std::array<double, 5> taken{};
-    std::uint64_t faults = 0;
-    const auto start = std::chrono::steady_clock::now();
-    const auto now = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-    double slowest = 0.0;
-    for (std::uint64_t seed = first; now() < seconds; ++seed) {
-        for (const test::Readers::Kind kind : test::Readers::kinds) {
-            const auto index = static_cast<std::size_t>(kind);
-            const double before = now();
-            ++tried[index];
-            try {
-                accepted[index] += readers.read_damaged(kind, seed) ? 1 : 0;
-            } catch (const std::exception& error) {
-                fmt::print("fault: {} seed {}: {}\n", test::Readers::name(kind), seed, error.what());
-                ++faults;
-            }
-            taken[index] += now() - before;
-            if (now() - before > std::max(slowest, 1.0)) {
-                slowest = now() - before;
-                fmt::print("slow: {} seed {}: {:.1f} s\n", test::Readers::name(kind), seed, slowest);
-            }
-        }
-    }
-    fmt::print("| file | damaged and read | accepted | seconds |\n|---|---|---|---|\n");
-    for (const test::Readers::Kind kind : test::Readers::kinds) {
-        const auto index = static_cast<std::size_t>(kind);
-        fmt::print("| {} | {} | {} | {:.1f} |\n", test::Readers::name(kind), tried[index], accepted[index],
-                   taken[index]);
-    }
-    fmt::print("\n{:.0f} s, {} faults\n", now(), faults);
-    std::filesystem::remove_all(folder);
-    return faults == 0 ? 0 : 1;
-}
-
 } // namespace
 } // namespace vkbake::extremes
 
 int main(int argument_count, char** arguments) {
     try {
-        const std::string what = argument_count > 1 ? arguments[1] : "";
-        const std::uint64_t amount = argument_count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 0;
-        if (what == "rays") {
-            return vkbake::extremes::run(amount);
+        const std::uint64_t rays = argument_count == 2 ? std::strtoull(arguments[1], nullptr, 10) : 0;
+        if (rays > 0) {
+            return vkbake::extremes::run(rays);
         }
-        if (what == "damage") {
-            return vkbake::extremes::damage(static_cast<double>(amount),
-                                            argument_count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1000);
-        }
-        fmt::print(stderr, "usage: vkbake_extremes rays COUNT | damage SECONDS [FIRST_SEED]\n");
+        fmt::print(stderr, "usage: vkbake_extremes RAYS\n");
         return 2;
     } catch (const std::exception& error) {
         fmt::print(stderr, "vkbake_extremes: {}\n", error.what());

@@ -100,6 +100,26 @@ const std::map<std::string, std::string>& accepted_errors() {
     return files;
 }
 
+/// "/bufferViews/3/byteOffset" → "bufferView 3", as our messages say it; empty where the pointer is to no element.
+std::string place_of(const std::string& pointer) {
+    static const std::map<std::string, std::string> kinds = {{"accessors", "accessor"}, {"bufferViews", "bufferView"},
+                                                             {"buffers", "buffer"},     {"images", "image"},
+                                                             {"meshes", "mesh"},        {"nodes", "node"}};
+    const std::size_t kind_end = pointer.find('/', 1);
+    const auto kind = kinds.find(pointer.substr(std::min<std::size_t>(1, pointer.size()), kind_end - 1));
+    if (kind_end == std::string::npos || kind == kinds.end()) {
+        return {};
+    }
+    return kind->second + pointer.substr(kind_end, pointer.find('/', kind_end + 1) - kind_end).replace(0, 1, " ");
+}
+
+/// Where the message names something else than the report: both have a buffer without data, which is found first.
+const std::set<std::string>& named_otherwise() {
+    static const std::set<std::string> files = {"image/buffer_view_bytestride.gltf",
+                                                "image/missing_mime_type_buffer_view.gltf"};
+    return files;
+}
+
 TEST(InvalidFiles, AreRefusedOrLoadAsTheirReportsSay) {
     const auto folder = data_folder / "invalid-gltf";
     if (!std::filesystem::exists(folder)) {
@@ -115,9 +135,11 @@ TEST(InvalidFiles, AreRefusedOrLoadAsTheirReportsSay) {
         const std::string name = std::filesystem::relative(file, folder).string();
         const Json report = Json::parse(read_text(file.string() + ".report.json"));
         std::string errors;
+        std::set<std::string> places;
         for (const Json& message : report["issues"]["messages"]) {
             if (message["severity"] == 0) {
                 errors += message["code"].get<std::string>() + ' ';
+                places.insert(place_of(message.value("pointer", "")));
             }
         }
         std::vector<std::string> notes;
@@ -126,6 +148,12 @@ TEST(InvalidFiles, AreRefusedOrLoadAsTheirReportsSay) {
         if (refusal_line.empty() && !errors.empty()) {
             accepted.insert(name);
             EXPECT_TRUE(accepted_errors().contains(name)) << name << " loads in spite of " << errors;
+        }
+        if (!refusal_line.empty() && !errors.empty()) {
+            const bool names_one = std::any_of(places.begin(), places.end(), [&](const std::string& place) {
+                return refusal_line.find(place) != std::string::npos;
+            });
+            EXPECT_NE(names_one, named_otherwise().contains(name)) << name << " [" << errors << "] " << refusal_line;
         }
         if (std::getenv("VKBAKE_TEST_VERBOSE") != nullptr) {
             std::cout << name << " [" << errors << "] " << (refusal_line.empty() ? "LOADS" : refusal_line) << '\n';
