@@ -75,7 +75,7 @@ void add_light_options(CLI::App& app, Settings& settings) {
         ->capture_default_str();
     app.add_option("--memory-limit", settings.memory_limit,
                    "What a bake may take, checked before it starts; without it, three quarters of what the machine has")
-        ->transform(CLI::AsSizeValue(false))
+        ->transform(CLI::AsSizeValue(false).description(""))
         ->type_name("BYTES|8G");
 }
 

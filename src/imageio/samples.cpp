@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <memory>
 #include <string_view>
 #include <type_traits>
@@ -10,6 +9,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "imageio/exr_header.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -23,8 +23,10 @@ namespace {
     throw Error(ErrorKind::bad_input, where + ": " + what + "; " + advice);
 }
 
+constexpr const char* damaged_advice = "the image is damaged or incomplete, get it again";
+
 [[noreturn]] void refuse_damaged(const std::string& where, const OIIO::ImageInput& input) {
-    refuse(where, "cannot be decoded: " + input.geterror(), "the image is damaged or incomplete, get it again");
+    refuse(where, "cannot be decoded: " + input.geterror(), damaged_advice);
 }
 
 // Alpha must come as it is stored: by default OpenImageIO multiplies a PNG's colours by it.
@@ -121,10 +123,15 @@ std::string_view format_of(std::span<const std::byte> bytes) {
 
 /// The reader that the first bytes call for: OpenImageIO, left to itself, would try all that it has on a file that none
 /// can read, and each of them has faults of its own.
-std::unique_ptr<OIIO::ImageInput> make_input(std::span<const std::byte> bytes, const std::string& where) {
-    const std::string_view format = format_of(bytes);
+std::unique_ptr<OIIO::ImageInput> make_input(OIIO::Filesystem::IOProxy& file, const std::string& where) {
+    std::array<std::byte, 16> head{};
+    const std::size_t length = file.pread(head.data(), head.size(), 0);
+    const std::string_view format = format_of(std::span(head).first(std::min(length, head.size())));
     if (format.empty()) {
         refuse(where, "is of no format known here", "give an EXR, HDR, PNG or JPEG image");
+    }
+    if (format == "openexr" && !holds_its_attributes(file)) {
+        refuse(where, "cannot be decoded: it ends within its header", damaged_advice);
     }
     auto input = OIIO::ImageInput::create(std::string(format));
     if (!input) {
@@ -143,11 +150,8 @@ Samples<Value> read_samples(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file, error)) {
         refuse(where, "there is no such file", "check the path");
     }
-    std::array<char, 16> head{};
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(head.data(), head.size());
-    const auto length = static_cast<std::size_t>(stream.gcount());
-    const auto input = make_input(std::as_bytes(std::span(head)).first(length), where);
+    OIIO::Filesystem::IOFile stored(where, OIIO::Filesystem::IOProxy::Read);
+    const auto input = make_input(stored, where);
     OIIO::ImageSpec spec;
     if (!input->open(where, spec, open_hints())) {
         refuse_damaged(where, *input);
@@ -158,8 +162,8 @@ Samples<Value> read_samples(const std::filesystem::path& file) {
 template<typename Value>
 Samples<Value> read_samples(std::span<const std::byte> bytes, const std::string& name, const SampleLimits& limits) {
     const std::string where = "image " + name;
-    const auto input = make_input(bytes, where);
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size()); // read only
+    const auto input = make_input(memory, where);
     OIIO::ImageSpec spec;
     if (!input->set_ioproxy(&memory) || !input->open(name, spec, open_hints())) {
         refuse_damaged(where, *input);

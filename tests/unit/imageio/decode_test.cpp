@@ -1,4 +1,5 @@
 #include <array>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -107,6 +108,20 @@ TEST(Decode, BombsAreRefusedBeforeTheyAreDecoded) {
     const std::string large =
         message_of(ErrorKind::bad_input, [&] { (void)decode_image(encoded(with_claimed_size(png, 16384, 16384))); });
     EXPECT_NE(large.find("limit"), std::string::npos) << large;
+}
+
+/// OpenEXR would get two gigabytes for it before it finds that the file ends.
+TEST(Decode, AnExrWhoseHeaderAnnouncesMoreThanTheFileHoldsIsRefused) {
+    const std::string place("compression\0compression\0", 24);
+    for (const std::uint32_t size : {0x7FFFFFFFU, 0x80000000U, 5000U}) {
+        std::vector<std::uint8_t> exr = encode_image(test::filled(4, 4, glm::vec4(0.5F)), ImageFormat::exr).bytes;
+        EXPECT_NO_THROW((void)decode_image(encoded(exr)));
+        const auto found = std::search(exr.begin(), exr.end(), place.begin(), place.end());
+        ASSERT_NE(found, exr.end());
+        std::memcpy(&*found + place.size(), &size, sizeof(size));
+        const std::string message = message_of(ErrorKind::bad_input, [&] { (void)decode_image(encoded(exr)); });
+        EXPECT_NE(message.find("ends within its header"), std::string::npos) << message;
+    }
 }
 
 TEST(Read, FilesThatAreNoImages) {
