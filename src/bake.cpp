@@ -1,6 +1,7 @@
 // The pipeline: its stages in order, and nothing else.
 #include "atlas/make_atlas.hpp"
 #include "base/boundary.hpp"
+#include "bounces.hpp"
 #include "finish/dilate.hpp"
 #include "geometry_image/draw.hpp"
 #include "memory_plan.hpp"
@@ -36,17 +37,32 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     const Tracer tracer = clock.run("accelerator", [&] { return Tracer(bake.surface, sky, settings); });
 
     const std::size_t pages = bake.atlas.pages.size();
+    GeometryImage geometry;
+    std::size_t drawn = pages; // the page that it is of
+    const auto draw = [&](std::size_t page) -> const GeometryImage& {
+        if (drawn != page) {
+            geometry =
+                draw_geometry_image(device.context(), bake.surface, bake.atlas, static_cast<std::uint32_t>(page));
+            drawn = page;
+        }
+        return geometry;
+    };
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
-        std::optional<GeometryImage> geometry = clock.run("geometry image", [&] {
-            return draw_geometry_image(device.context(), bake.surface, bake.atlas, static_cast<std::uint32_t>(page));
-        });
-        LightMap map = clock.run("trace", [&] { return tracer.trace(*geometry, clock.trace_progress()); });
-        geometry.reset(); // two thirds of the page's memory, which the next steps need
+        clock.run("geometry image", [&] { return draw(page).texel_count(); });
+        LightMap map = clock.run("trace", [&] { return tracer.trace(geometry, clock.trace_progress()); });
         map.name = bake.atlas.pages[page].name;
+        bake.light_maps.push_back(std::move(map));
+    }
+    if (settings.bounces > 0) {
+        add_bounces(scene, tracer, draw, clock, bake);
+    }
+    geometry = {}; // two thirds of the page's memory, which the next steps need
+    for (std::size_t page = 0; page < pages; ++page) {
+        clock.begin_page(page, pages);
+        LightMap& map = bake.light_maps[page];
         map.statistics.filled_texels =
             clock.run("finish", [&] { return dilate(device.context(), map.image, {.rounds = settings.padding}); });
-        bake.light_maps.push_back(std::move(map));
     }
     bake.stages = clock.seconds();
     return bake;

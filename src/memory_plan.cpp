@@ -21,6 +21,9 @@ constexpr std::uint64_t triangle_bytes = 500;
 constexpr std::uint64_t sky_texel_bytes = 12;
 /// Of every map until all are written: RGBA and coverage 20, its 8-bit picture as PNG and in the .glb up to 9.
 constexpr std::uint64_t map_texel_bytes = 29;
+/// Of every map while bounces are traced: albedo and emission 24, the light that leaves now and after the next
+/// bounce 26.
+constexpr std::uint64_t bounce_texel_bytes = 50;
 /// Of the one map that is worked on: its geometry image 40 and tiles 9, or its file as it is encoded.
 constexpr std::uint64_t work_texel_bytes = 52;
 /// Of the tile of a map that the device works on: the geometry image's targets and what they are read back into.
@@ -94,13 +97,15 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
             .sky_texels = settings.mode == Mode::ao ? 0 : sky_texels,
             .triangles = triangles,
             .maps = maps.value_or(settings.layout == Layout::object ? objects : 1),
-            .size = settings.size};
+            .size = settings.size,
+            .bounces = settings.bounces > 0};
 }
 
 std::uint64_t peak_memory(const MemoryNeed& need) {
     const auto side = static_cast<std::uint64_t>(std::max(need.size, 1));
     return program_bytes + need.held + sky_texel_bytes * need.sky_texels + triangle_bytes * need.triangles +
-           (map_texel_bytes * need.maps + work_texel_bytes) * texels_of(side) +
+           ((map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0)) * need.maps + work_texel_bytes) *
+               texels_of(side) +
            tile_texel_bytes * texels_of(std::min(side, tile_side));
 }
 

@@ -33,11 +33,11 @@ public:
         return result;
     }
 
-    /// For Tracer::trace of the page that was begun last. This clock must outlive it.
-    [[nodiscard]] std::function<bool(double, std::uint64_t)> trace_progress() {
-        return [this, start = Clock::now()](double share, std::uint64_t rays) {
+    /// For the tracer, of the page that was begun last. This clock must outlive it, and so must the name.
+    [[nodiscard]] std::function<bool(double, std::uint64_t)> trace_progress(std::string_view stage = "trace") {
+        return [this, stage, start = Clock::now()](double share, std::uint64_t rays) {
             const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-            return tell("trace", share, seconds > 0.0 ? static_cast<double>(rays) / seconds : 0.0);
+            return tell(stage, share, seconds > 0.0 ? static_cast<double>(rays) / seconds : 0.0);
         };
     }
 

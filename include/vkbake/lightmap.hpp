@@ -20,6 +20,7 @@ struct LightMapStatistics {
     std::uint64_t skipped_directions = 0; ///< at or below the geometric plane: add nothing, not traced
     std::uint64_t probed_hits = 0;        ///< hits among the rays whose nearest hit was looked at (one a texel)
     std::uint64_t back_side_hits = 0;     ///< of those, on a triangle's back
+    std::uint64_t bounce_rays = 0;        ///< traced beside `rays`, for what surfaces reflect and emit
     std::uint64_t filled_texels = 0;      ///< by dilation
     double seconds = 0.0;                 ///< tracing
 };

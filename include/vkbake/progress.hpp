@@ -7,7 +7,7 @@
 namespace vkbake {
 
 struct ProgressReport {
-    std::string_view stage;       ///< "atlas", "geometry image", "trace", "finish", "write"
+    std::string_view stage;       ///< "atlas", "geometry image", "trace", "bounces", "finish", "write"
     double share = 0.0;           ///< of this stage, 0 … 1, never falling within a stage
     double rays_per_second = 0.0; ///< while tracing, otherwise 0
 };

@@ -48,6 +48,8 @@ struct Material {
     std::string name;
     glm::vec4 base_color{1.0F}; ///< linear
     std::optional<TextureUse> base_color_texture;
+    float metallic = 0.0F; ///< 0 … 1: of metal, which reflects nothing diffusely. (glTF's own default is 1.)
+    std::optional<TextureUse> metallic_texture; ///< blue channel, linear: multiplies `metallic`
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5F;
     bool double_sided = false;

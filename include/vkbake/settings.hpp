@@ -36,6 +36,10 @@ struct Settings {
     Mode mode = Mode::irradiance;
     std::optional<double> ao_distance; ///< metres, > 0; mode ao only: farther hits do not occlude. Absent: no limit
     std::uint32_t rays = 256;          ///< a texel; ≥ 1. Sampler `thesis` always takes its own 256
+    /// How often light is followed from surface to surface after the sky's; 0: the sky's direct light alone. The first
+    /// also brings what surfaces emit. 0 … 64; mode irradiance.
+    std::uint32_t bounces = 0;
+    std::uint32_t bounce_rays = 64; ///< a texel and bounce; ≥ 1. Sampler `thesis` always takes its own 256
     Sampler sampler = Sampler::cosine;
     Accelerator accelerator = Accelerator::bvh;
     TriangleTest triangle_test = TriangleTest::watertight; ///< moller_trumbore: accelerators brute and clusters only

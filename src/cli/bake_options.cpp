@@ -59,6 +59,13 @@ void add_light_options(CLI::App& app, Settings& settings) {
            "Metres beyond which nothing occludes (mode ao)")
         ->check(CLI::PositiveNumber);
     app.add_option("--rays", settings.rays, "Rays a texel")->check(CLI::Range(1U, 1U << 24U))->capture_default_str();
+    app.add_option("--bounces", settings.bounces,
+                   "How often light is followed from surface to surface; the first also brings what surfaces emit")
+        ->check(CLI::Range(0U, 64U))
+        ->capture_default_str();
+    app.add_option("--bounce-rays", settings.bounce_rays, "Rays a texel of each bounce")
+        ->check(CLI::Range(1U, 1U << 24U))
+        ->capture_default_str();
     add_choice(app, "--sampler", settings.sampler, "How directions are chosen");
     add_choice(app, "--accelerator", settings.accelerator, "What rays are traced against; never changes the result");
     add_choice(app, "--triangle-test", settings.triangle_test,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "imageio/srgb.hpp"
+#include "base/srgb.hpp"
 
 namespace vkbake {
 namespace {

@@ -48,6 +48,8 @@ public:
         const auto& base = source.pbrMetallicRoughness.baseColorFactor;
         material.base_color = glm::vec4(glm::dvec4(base.at(0), base.at(1), base.at(2), base.at(3)));
         material.base_color_texture = texture_use(source.pbrMetallicRoughness.baseColorTexture);
+        material.metallic = static_cast<float>(source.pbrMetallicRoughness.metallicFactor);
+        material.metallic_texture = texture_use(source.pbrMetallicRoughness.metallicRoughnessTexture);
         if (const auto* const extension = find(source, "KHR_materials_pbrSpecularGlossiness")) {
             set_diffuse(*extension, material); // where both are given the extension holds
         }
@@ -118,6 +120,8 @@ private:
     }
 
     void set_diffuse(const tinygltf::Value& extension, Material& material) {
+        material.metallic = 0.0F;
+        material.metallic_texture.reset();
         material.base_color = glm::vec4(1.0F);
         if (extension.Has("diffuseFactor")) {
             const tinygltf::Value& factor = extension.Get("diffuseFactor");

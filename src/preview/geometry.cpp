@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/texture_transform.hpp"
 #include "preview/camera.hpp"
 #include "vkbake/error.hpp"
 
@@ -163,14 +164,6 @@ const TextureUse* light_texture(const Material& material, bool occlusion) {
         return pointer_to(material.occlusion_texture);
     }
     return material.light_map ? &material.light_map->texture : nullptr;
-}
-
-glm::vec2 transformed(const TextureUse& use, const glm::vec2& uv) {
-    const glm::vec2 scaled = use.scale * uv;
-    const float sine = std::sin(use.rotation);
-    const float cosine = std::cos(use.rotation);
-    // Counter-clockwise as one looks at the image: v points down.
-    return use.offset + glm::vec2(cosine * scaled.x + sine * scaled.y, cosine * scaled.y - sine * scaled.x);
 }
 
 PreviewGeometry make_geometry(const Scene& scene, const Camera& camera, bool occlusion, std::size_t chunk_bytes) {

@@ -48,9 +48,6 @@ struct PreviewGeometry {
 /// those; null where it has none.
 [[nodiscard]] const TextureUse* light_texture(const Material& material, bool occlusion);
 
-/// glTF's texture transform: offset + rotate(rotation) · (scale · uv).
-[[nodiscard]] glm::vec2 transformed(const TextureUse& use, const glm::vec2& uv);
-
 /// All instances' triangles. BLEND ones are in the order of painting: primitives of instances by the middle of their
 /// depths, farthest first, and so the triangles within each; what interpenetrates is not cut. A chunk has at most
 /// `chunk_bytes` of vertices, and of indices. `occlusion`: as in light_texture. Throws Error{bad_input} for indices

@@ -10,9 +10,12 @@
 
 #include "base/float_state.hpp"
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "trace/check_settings.hpp"
+#include "trace/gather_tracer.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/texel_tiles.hpp"
+#include "trace/tile_loop.hpp"
 #include "trace/tile_rays.hpp"
 #include "trace/tile_tracer.hpp"
 #include "vkbake/error.hpp"
@@ -74,6 +77,13 @@ void trace_tiles(std::span<const TexelTile> tiles, std::uint64_t rays_a_texel, i
     }
 }
 
+Image empty_image(const GeometryImage& geometry) {
+    return {.width = geometry.width,
+            .height = geometry.height,
+            .texels = std::vector<glm::vec4>(geometry.texel_count(), glm::vec4(0.0F)),
+            .coverage = std::vector<float>(geometry.texel_count(), 0.0F)};
+}
+
 } // namespace
 
 struct Tracer::State {
@@ -115,11 +125,7 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     const auto start = std::chrono::steady_clock::now();
     const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
 
-    LightMap map;
-    map.image.width = geometry.width;
-    map.image.height = geometry.height;
-    map.image.texels.assign(geometry.texel_count(), glm::vec4(0.0F));
-    map.image.coverage.assign(geometry.texel_count(), 0.0F);
+    LightMap map{.name = {}, .image = empty_image(geometry), .statistics = {}};
     const double scale = m_state->plan.scale() * m_state->intensity;
     const auto store = [&](std::uint32_t texel, const glm::dvec3& sum) {
         map.image.texels[texel] = glm::vec4(glm::vec3(sum * scale), 1.0F);
@@ -139,6 +145,49 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     map.statistics.skipped_directions = counts.skipped_directions;
     map.statistics.probed_hits = counts.probed_hits;
     map.statistics.back_side_hits = counts.back_side_hits;
+    map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return map;
+}
+
+LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
+                        const TraceProgress& progress) const {
+    const DefaultFloatState float_state;
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
+    Settings settings = m_state->plan.settings();
+    settings.seed = mix64(settings.seed + bounce);
+    settings.rays = settings.bounce_rays;
+    const RayPlan plan(settings, m_state->plan.max_distance());
+    std::vector<std::unique_ptr<GatherTracer>> workers(worker_count(m_state->threads));
+    for (auto& worker : workers) {
+        worker = std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->accelerator);
+    }
+    const auto rays = [&] {
+        RayCounts counts;
+        for (const auto& worker : workers) {
+            counts += worker->counts();
+        }
+        return counts.rays;
+    };
+
+    LightMap map{.name = {}, .image = empty_image(geometry), .statistics = {}};
+    const TileLoop loop{.count = tiles.size(),
+                        .rays_a_job = std::uint64_t{plan.samples()} * RayBlock::lanes,
+                        .threads = m_state->threads,
+                        .report = [&](std::size_t done) {
+                            const auto all = static_cast<double>(std::max<std::size_t>(tiles.size(), 1));
+                            return !progress || progress(static_cast<double>(done) / all, rays());
+                        }};
+    const std::size_t done = run(loop, [&](std::size_t tile, std::size_t worker) {
+        workers[worker]->trace(tiles[tile], [&](std::uint32_t texel, const glm::dvec3& sum) {
+            map.image.texels[texel] = glm::vec4(glm::vec3(sum * plan.scale()), 1.0F);
+            map.image.coverage[texel] = 1.0F;
+        });
+    });
+    if (done < tiles.size()) {
+        throw Error(ErrorKind::interrupted, "interrupted");
+    }
+    map.statistics.bounce_rays = rays();
     map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return map;
 }

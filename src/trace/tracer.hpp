@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "trace/surface_light.hpp"
 #include "vkbake/geometry_image.hpp"
 #include "vkbake/lightmap.hpp"
 #include "vkbake/settings.hpp"
@@ -30,6 +31,11 @@ public:
     /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called
     /// from the calling thread only. Throws Error{interrupted} where it returned false.
     [[nodiscard]] LightMap trace(const GeometryImage& geometry, const TraceProgress& progress = {}) const;
+
+    /// What surfaces send to the texels in place of the sky: E/π of one bounce, with rays of its own for each `bounce`
+    /// (1, 2 …). Sets the image and, of the statistics, bounce_rays and seconds. Else as trace().
+    [[nodiscard]] LightMap gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
+                                  const TraceProgress& progress = {}) const;
 
 private:
     struct State;

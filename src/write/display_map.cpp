@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "imageio/srgb.hpp"
+#include "base/srgb.hpp"
 
 namespace vkbake {
 namespace {

@@ -79,6 +79,8 @@ Json settings_json(const Settings& settings) {
             {"mode", name_of(settings.mode)},
             {"ao-distance", or_null(settings.ao_distance)},
             {"rays", settings.rays},
+            {"bounces", settings.bounces},
+            {"bounce-rays", settings.bounce_rays},
             {"sampler", name_of(settings.sampler)},
             {"accelerator", name_of(settings.accelerator)},
             {"triangle-test", name_of(settings.triangle_test)},
@@ -99,7 +101,8 @@ Json counts_json(const LightMap& map) {
             {"occluded_rays", statistics.occluded_rays},
             {"skipped_directions", statistics.skipped_directions},
             {"probed_hits", statistics.probed_hits},
-            {"back_side_hits", statistics.back_side_hits}};
+            {"back_side_hits", statistics.back_side_hits},
+            {"bounce_rays", statistics.bounce_rays}};
 }
 
 Json make_manifest(const std::string& scene, const Bake& bake, const std::string& command,

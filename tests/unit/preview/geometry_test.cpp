@@ -1,3 +1,4 @@
+#include "base/texture_transform.hpp"
 #include "preview/geometry.hpp"
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 
 #include "glb_reader.hpp"
 #include "imageio/decode.hpp"
-#include "imageio/srgb.hpp"
+#include "base/srgb.hpp"
 #include "small_scene.hpp"
 #include "vkbake/error.hpp"
 #include "write/scene_glb.hpp"

@@ -1,0 +1,102 @@
+#include "bounces.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "imageio/decode.hpp"
+#include "material/color_texture.hpp"
+#include "material/surface_colors.hpp"
+#include "trace/surface_light.hpp"
+
+namespace vkbake {
+
+namespace {
+
+std::vector<ColorTexture> decode_textures(const Scene& scene) {
+    const std::vector<ColorUse> uses = color_uses(scene);
+    std::vector<ColorTexture> textures(scene.images.size());
+    for (std::size_t image = 0; image < textures.size(); ++image) {
+        if (uses[image] != ColorUse::none) {
+            const Rgba8Image decoded = decode_rgba8(scene.images[image]);
+            textures[image] = make_color_texture(decoded.width, decoded.height, decoded.texels,
+                                                 uses[image] == ColorUse::linear ? Encoding::linear : Encoding::srgb);
+        }
+    }
+    return textures;
+}
+
+std::vector<std::uint8_t> two_sided_parts(const Scene& scene, const Surface& surface) {
+    std::vector<std::uint8_t> two_sided;
+    for (const SurfacePart& part : surface.parts) {
+        const Instance& instance = scene.instances.at(surface.objects.at(part.object).instance);
+        const auto& material = scene.meshes.at(instance.mesh).primitives.at(part.primitive).material;
+        const bool shows_back =
+            material && *material < scene.materials.size() && scene.materials[*material].double_sided;
+        two_sided.push_back(shows_back ? 1 : 0);
+    }
+    return two_sided;
+}
+
+/// What leaves a page's texels of the light `map` that arrives at them, and of their own.
+LeavingLight leaving(const Image& map, const SurfaceColors& colors, bool with_emission) {
+    LeavingLight light{.width = map.width,
+                       .height = map.height,
+                       .radiance = std::vector<glm::vec3>(map.texels.size(), glm::vec3(0.0F)),
+                       .covered = std::vector<std::uint8_t>(map.texels.size(), 0)};
+    for (std::size_t texel = 0; texel < map.texels.size(); ++texel) {
+        if (map.coverage[texel] == 0.0F) {
+            continue;
+        }
+        light.covered[texel] = 1;
+        light.radiance[texel] = colors.albedo[texel] * glm::vec3(map.texels[texel]);
+        if (with_emission && !colors.emission.empty()) {
+            light.radiance[texel] += colors.emission[texel];
+        }
+    }
+    return light;
+}
+
+void add(const LightMap& gathered, LightMap& map) {
+    for (std::size_t texel = 0; texel < map.image.texels.size(); ++texel) {
+        map.image.texels[texel] += glm::vec4(glm::vec3(gathered.image.texels[texel]), 0.0F);
+    }
+    map.statistics.bounce_rays += gathered.statistics.bounce_rays;
+    map.statistics.seconds += gathered.statistics.seconds;
+}
+
+} // namespace
+
+void add_bounces(const Scene& scene, const Tracer& tracer, const std::function<const GeometryImage&(std::size_t)>& draw,
+                 StageClock& clock, Bake& bake) {
+    if (!reflects(scene) && !emits(scene)) {
+        bake.notes.push_back(scene.name + ": no surface reflects or emits light; nothing was traced for bounces");
+        return;
+    }
+    const std::size_t pages = bake.light_maps.size();
+    const std::vector<std::uint8_t> two_sided = two_sided_parts(scene, bake.surface);
+    std::vector<SurfaceColors> colors;
+    std::vector<LeavingLight> lights;
+    clock.run("surface colors", [&] {
+        const std::vector<ColorTexture> textures = decode_textures(scene);
+        for (std::size_t page = 0; page < pages; ++page) {
+            colors.push_back(make_surface_colors(scene, bake.surface, draw(page), textures));
+            lights.push_back(leaving(bake.light_maps[page].image, colors[page], true));
+        }
+        return 0;
+    });
+    for (std::uint32_t bounce = 1; bounce <= bake.settings.bounces; ++bounce) {
+        const SurfaceLight light(bake.surface, bake.atlas, lights, two_sided);
+        std::vector<LeavingLight> next;
+        for (std::size_t page = 0; page < pages; ++page) {
+            clock.begin_page((bounce - 1) * pages + page, bake.settings.bounces * pages);
+            const LightMap gathered = clock.run(
+                "bounces", [&] { return tracer.gather(draw(page), light, bounce, clock.trace_progress("bounces")); });
+            add(gathered, bake.light_maps[page]);
+            next.push_back(leaving(gathered.image, colors[page], false));
+        }
+        lights = std::move(next);
+    }
+}
+
+} // namespace vkbake

@@ -1,0 +1,49 @@
+// The light that a tile's texels get from surfaces.
+#pragma once
+
+#include <array>
+
+#include <glm/vec3.hpp>
+
+#include "bvh/accelerator.hpp"
+#include "trace/surface_light.hpp"
+#include "trace/tile_rays.hpp"
+#include "trace/tile_tracer.hpp"
+
+namespace vkbake {
+
+/// As TileTracer, for light that comes from where rays end in place of where they end nowhere. Which rays meet
+/// something is asked in blocks; what they meet first, of those alone, ray by ray.
+class GatherTracer {
+public:
+    /// All must outlive it.
+    GatherTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SurfaceLight& light,
+                 const TriangleAccelerator& accelerator)
+        : m_plan(&plan), m_light(&light), m_accelerator(&accelerator), m_rays(surface, geometry, plan),
+          m_scratch(accelerator.make_scratch()) {}
+
+    /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
+    template<typename Store>
+    void trace(const TexelTile& tile, const Store& store) {
+        sum_up(tile);
+        for (std::uint32_t lane = 0; lane < tile.count; ++lane) {
+            store(tile.texels[lane], m_sums[lane]);
+        }
+    }
+
+    /// Of all tiles so far; it has no probes.
+    [[nodiscard]] const RayCounts& counts() const { return m_counts; }
+
+private:
+    void sum_up(const TexelTile& tile);
+
+    const RayPlan* m_plan;                    ///< never null
+    const SurfaceLight* m_light;              ///< never null
+    const TriangleAccelerator* m_accelerator; ///< never null
+    TileRays m_rays;
+    BlockScratch m_scratch;
+    std::array<glm::dvec3, RayBlock::lanes> m_sums{};
+    RayCounts m_counts;
+};
+
+} // namespace vkbake

@@ -1,0 +1,57 @@
+#include "trace/surface_light.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <glm/vec2.hpp>
+
+#include "base/barycentric.hpp"
+
+namespace vkbake {
+
+namespace {
+
+int texel_of(double coordinate, int size) {
+    return static_cast<int>(std::clamp(std::floor(coordinate * size), 0.0, static_cast<double>(size - 1)));
+}
+
+/// The texel itself; where rounding took the point just over the border of a chart, the first covered one around it.
+glm::vec3 light_at(const LeavingLight& page, int x, int y) {
+    constexpr std::array<std::array<int, 2>, 9> steps{
+        {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+    for (const auto& [right, down] : steps) {
+        const int column = x + right;
+        const int row = y + down;
+        if (column < 0 || row < 0 || column >= page.width || row >= page.height) {
+            continue;
+        }
+        const auto texel =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(page.width) + static_cast<std::size_t>(column);
+        if (page.covered[texel] != 0) {
+            return page.radiance[texel];
+        }
+    }
+    return glm::vec3(0.0F);
+}
+
+} // namespace
+
+glm::vec3 SurfaceLight::along(const Ray& ray, const Hit& hit) const {
+    if (hit.back_side && m_two_sided[m_surface->parts_of[hit.triangle]] == 0) {
+        return glm::vec3(0.0F);
+    }
+    const std::size_t first = std::size_t{3} * hit.triangle;
+    const glm::dvec3 point = glm::dvec3(ray.origin) + static_cast<double>(hit.distance) * glm::dvec3(ray.direction);
+    const glm::dvec3 weights = barycentric(
+        {m_surface->positions[first], m_surface->positions[first + 1], m_surface->positions[first + 2]}, point);
+    glm::dvec2 uv(0.0);
+    for (int corner = 0; corner < 3; ++corner) {
+        uv += weights[corner] * glm::dvec2(m_atlas->uvs[first + static_cast<std::size_t>(corner)]);
+    }
+    const LeavingLight& page = m_pages[m_atlas->page[hit.triangle]];
+    return light_at(page, texel_of(uv.x, page.width), texel_of(uv.y, page.height));
+}
+
+} // namespace vkbake
