@@ -30,7 +30,7 @@ fuzz() {
 
 fuzz_all() {
     if ! command -v clang++ >/dev/null; then
-        echo "Left out: clang is not installed."
+        echo "Left out: clang is not installed (apt-get install clang)."
         return 1
     fi
     cmake --preset fuzz >/dev/null
