@@ -1,6 +1,7 @@
 // What a scene has and what a bake of it would make: the stages that need no device.
 #include "atlas/make_atlas.hpp"
 #include "base/boundary.hpp"
+#include "material/surface_colors.hpp"
 #include "memory_plan.hpp"
 #include "surface/make_surface.hpp"
 #include "surface/resolution.hpp"
@@ -97,7 +98,12 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
     }
     inspection.memory = peak_memory(memory_need(scene, Sky(), settings, atlas.pages.size()));
     inspection.memory_limit = memory_limit(settings);
-    inspection.rays = inspection.covered_texels * (settings.sampler == Sampler::thesis ? 256 : settings.rays);
+    const auto rays = [&](std::uint32_t asked) -> std::uint64_t {
+        return settings.sampler == Sampler::thesis ? 256 : asked;
+    };
+    const bool bounced = settings.bounces > 0 && (reflects(scene) || emits(scene));
+    inspection.rays = inspection.covered_texels *
+                      (rays(settings.rays) + (bounced ? settings.bounces * rays(settings.bounce_rays) : 0));
 }
 
 Inspection inspect_scene(const Scene& scene, const Settings& settings) {
@@ -107,6 +113,7 @@ Inspection inspect_scene(const Scene& scene, const Settings& settings) {
     inspection.materials = scene.materials.size();
     inspection.images = scene.images.size();
     inspection.cameras = scene.cameras.size();
+    inspection.plan = make_plan(scene, settings);
     inspection.notes = scene.notes;
     for (const Instance& instance : scene.instances) {
         const auto& primitives = scene.meshes.at(instance.mesh).primitives;

@@ -18,6 +18,10 @@ Json map_json(const LightMap& map) {
 } // namespace
 
 std::string to_json(const Inspection& inspection) {
+    Json plan = Json::array();
+    for (const PlanEntry& entry : inspection.plan) {
+        plan.push_back({{"phenomenon", entry.phenomenon}, {"modelled", entry.modelled}, {"reason", entry.reason}});
+    }
     const Json json = {{"meshes", inspection.meshes},
                        {"instances", inspection.instances},
                        {"materials", inspection.materials},
@@ -36,6 +40,7 @@ std::string to_json(const Inspection& inspection) {
                        {"rays", inspection.rays},
                        {"memory", inspection.memory},
                        {"memory_limit", inspection.memory_limit},
+                       {"plan", plan},
                        {"notes", inspection.notes}};
     return json.dump(2);
 }

@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "vkbake/plan.hpp"
 #include "vkbake/scene.hpp"
 #include "vkbake/settings.hpp"
 
@@ -32,6 +33,7 @@ struct Inspection {
     std::uint64_t rays = 0;           ///< estimate
     std::uint64_t memory = 0;         ///< bytes at the most, estimate; without a sky's picture
     std::uint64_t memory_limit = 0;   ///< bytes that the settings, or by default the machine, allow
+    std::vector<PlanEntry> plan;      ///< make_plan's
     std::vector<std::string> notes;
 };
 

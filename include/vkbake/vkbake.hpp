@@ -10,6 +10,7 @@
 #include "vkbake/error.hpp"
 #include "vkbake/inspect.hpp"
 #include "vkbake/lightmap.hpp"
+#include "vkbake/plan.hpp"
 #include "vkbake/progress.hpp"
 #include "vkbake/render.hpp"
 #include "vkbake/scene.hpp"

@@ -48,6 +48,10 @@ void print_inspection(const Inspection& inspection, const Settings& settings) {
                inspection.memory > inspection.memory_limit
                    ? ", which is more than the limit of " + bytes_text(inspection.memory_limit)
                    : std::string());
+    fmt::print("light\n");
+    for (const PlanEntry& entry : inspection.plan) {
+        fmt::print("  {:<16} {:<4} {}\n", entry.phenomenon, entry.modelled ? "on" : "off", entry.reason);
+    }
     for (const std::string& note : inspection.notes) {
         fmt::print("  note: {}\n", note);
     }

@@ -1,0 +1,116 @@
+#include "vkbake/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+#include "base/boundary.hpp"
+#include "material/surface_colors.hpp"
+
+namespace vkbake {
+
+namespace {
+
+std::size_t count_materials(const Scene& scene, const std::function<bool(const Material&)>& property) {
+    return static_cast<std::size_t>(std::ranges::count_if(scene.materials, property));
+}
+
+std::string of_materials(std::size_t count, const Scene& scene) {
+    return std::to_string(count) + " of " + std::to_string(scene.materials.size()) + " materials";
+}
+
+std::string rays_text(std::uint32_t rays, Sampler sampler) {
+    return std::to_string(sampler == Sampler::thesis ? 256U : rays) + " rays a texel";
+}
+
+/// "0.4 %"
+std::string percent(double share) {
+    const auto tenths = static_cast<long long>(std::ceil(share * 1000.0 - 1e-9));
+    return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " %";
+}
+
+/// No surface reflects a greater share than this, in any channel.
+double greatest_albedo(const Scene& scene) {
+    double greatest = 0.0;
+    const Material absent;
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Primitive& primitive : mesh.primitives) {
+            const bool known = primitive.material && *primitive.material < scene.materials.size();
+            const Material& material = known ? scene.materials[*primitive.material] : absent;
+            const float color = std::max({material.base_color.r, material.base_color.g, material.base_color.b});
+            const float metallic = material.metallic_texture ? 0.0F : std::clamp(material.metallic, 0.0F, 1.0F);
+            greatest = std::max(greatest, static_cast<double>(std::clamp(color, 0.0F, 1.0F) * (1.0F - metallic)));
+        }
+    }
+    return greatest;
+}
+
+PlanEntry plan_sky(const Settings& settings) {
+    if (settings.mode == Mode::ao) {
+        return {"sky", false, "mode ao stores visibility, whatever the sky"};
+    }
+    return {"sky", true, "its direct light, " + rays_text(settings.rays, settings.sampler)};
+}
+
+PlanEntry plan_bounces(const Scene& scene, const Settings& settings) {
+    if (settings.mode == Mode::ao) {
+        return {"bounces", false, "mode ao has no light"};
+    }
+    if (!reflects(scene)) {
+        return {"bounces", false, "no surface reflects"};
+    }
+    const double albedo = greatest_albedo(scene);
+    if (settings.bounces == 0) {
+        return {"bounces", false,
+                "not asked for (--bounces); surfaces reflect up to " + percent(albedo) + " of what they get"};
+    }
+    return {"bounces", true,
+            std::to_string(settings.bounces) + ", " + rays_text(settings.bounce_rays, settings.sampler) +
+                " each; light of later ones is at most " + percent(std::pow(albedo, settings.bounces)) +
+                " of the first's"};
+}
+
+PlanEntry plan_emission(const Scene& scene, const Settings& settings) {
+    if (!emits(scene)) {
+        return {"emission", false, "no surface emits"};
+    }
+    const std::string materials = of_materials(count_materials(scene, [](const auto& m) { return emits(m); }), scene);
+    if (settings.mode == Mode::ao) {
+        return {"emission", false, materials + " emit; mode ao has no light"};
+    }
+    return settings.bounces > 0
+               ? PlanEntry{"emission", true, materials + ", with the first bounce's rays"}
+               : PlanEntry{"emission", false, materials + " emit, which --bounces 1 or more would bring"};
+}
+
+PlanEntry plan_textures(const Scene& scene, const Settings& settings) {
+    const auto needed = static_cast<std::size_t>(
+        std::ranges::count_if(color_uses(scene), [](ColorUse use) { return use != ColorUse::none; }));
+    const std::string images = std::to_string(needed) + (needed == 1 ? " image" : " images");
+    if (needed == 0) {
+        return {"albedo textures", false, "none that reflects or emits"};
+    }
+    return settings.bounces > 0 && settings.mode == Mode::irradiance
+               ? PlanEntry{"albedo textures", true, images}
+               : PlanEntry{"albedo textures", false, images + ", not decoded: there are no bounces"};
+}
+
+PlanEntry plan_alpha(const Scene& scene) {
+    const std::size_t open =
+        count_materials(scene, [](const Material& material) { return material.alpha_mode != AlphaMode::opaque; });
+    return {"alpha", false,
+            open == 0 ? "every material is opaque"
+                      : of_materials(open, scene) + " are MASK or BLEND: taken for opaque, their shadows are whole"};
+}
+
+} // namespace
+
+std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings) {
+    return at_boundary([&] {
+        return std::vector<PlanEntry>{plan_sky(settings), plan_bounces(scene, settings), plan_emission(scene, settings),
+                                      plan_textures(scene, settings), plan_alpha(scene)};
+    });
+}
+
+} // namespace vkbake
