@@ -18,7 +18,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
                 const Progress& progress) {
     Bake bake{.settings = settings, .device = device.name(), .sky = sky.name, .notes = scene.notes};
     bake.notes.insert(bake.notes.end(), sky.notes.begin(), sky.notes.end());
-    StageClock clock(progress);
+    StageClock clock(progress, settings.seconds);
 
     check_memory(memory_need(scene, sky, settings), settings);
     bake.surface = clock.run("surface", [&] { return make_surface(scene); });
@@ -50,7 +50,8 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
         clock.run("geometry image", [&] { return draw(page).texel_count(); });
-        LightMap map = clock.run("trace", [&] { return tracer.trace(geometry, clock.trace_progress()); });
+        LightMap map =
+            clock.run("trace", [&] { return tracer.trace(geometry, clock.trace_progress(), clock.trace_deadline()); });
         map.name = bake.atlas.pages[page].name;
         bake.light_maps.push_back(std::move(map));
     }

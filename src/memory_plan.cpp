@@ -26,6 +26,10 @@ constexpr std::uint64_t map_texel_bytes = 29;
 constexpr std::uint64_t bounce_texel_bytes = 50;
 /// Of the one map that is worked on: its geometry image 40 and tiles 9, or its file as it is encoded.
 constexpr std::uint64_t work_texel_bytes = 52;
+/// Where errors are estimated: standard error and rays of every map, and of the one that is worked on each texel's
+/// samples and orders 100.
+constexpr std::uint64_t estimated_map_texel_bytes = 8;
+constexpr std::uint64_t estimated_work_texel_bytes = 100;
 /// Of the tile of a map that the device works on: the geometry image's targets and what they are read back into.
 constexpr std::uint64_t tile_texel_bytes = 76;
 constexpr std::uint64_t tile_side = 2048;
@@ -98,13 +102,16 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
             .triangles = triangles,
             .maps = maps.value_or(settings.layout == Layout::object ? objects : 1),
             .size = settings.size,
-            .bounces = settings.bounces > 0};
+            .bounces = settings.bounces > 0,
+            .estimated = settings.estimate_error || settings.target_error || settings.seconds};
 }
 
 std::uint64_t peak_memory(const MemoryNeed& need) {
     const auto side = static_cast<std::uint64_t>(std::max(need.size, 1));
+    const std::uint64_t estimates =
+        need.estimated ? estimated_map_texel_bytes * need.maps + estimated_work_texel_bytes : 0;
     return program_bytes + need.held + sky_texel_bytes * need.sky_texels + triangle_bytes * need.triangles +
-           ((map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0)) * need.maps + work_texel_bytes) *
+           ((map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0)) * need.maps + work_texel_bytes + estimates) *
                texels_of(side) +
            tile_texel_bytes * texels_of(std::min(side, tile_side));
 }

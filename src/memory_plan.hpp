@@ -16,8 +16,9 @@ struct MemoryNeed {
     std::uint64_t sky_texels = 0; ///< of a picture; it is copied for look-ups
     std::uint64_t triangles = 0;  ///< over all instances
     std::uint64_t maps = 1;
-    int size = 1;         ///< side of each map, texels
-    bool bounces = false; ///< whether light is followed from surface to surface
+    int size = 1;           ///< side of each map, texels
+    bool bounces = false;   ///< whether light is followed from surface to surface
+    bool estimated = false; ///< with the texels' errors
 };
 
 /// Of a bake of that scene into `maps` of settings.size; absent: as many as there are at least.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +17,14 @@ namespace vkbake {
 /// The progress callback must outlive it. A stage that runs once a page adds up its pages' seconds.
 class StageClock {
 public:
-    explicit StageClock(const Progress& progress) : m_progress(progress) {}
+    using Clock = std::chrono::steady_clock;
+
+    /// `seconds`: how long all may take, from now on.
+    explicit StageClock(const Progress& progress, std::optional<double> seconds = {}) : m_progress(progress) {
+        if (seconds) {
+            m_end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
+        }
+    }
 
     /// From here on a stage's share counts the pages before this one as done.
     void begin_page(std::size_t page, std::size_t pages) {
@@ -24,33 +32,45 @@ public:
         m_pages = static_cast<double>(pages);
     }
 
+    /// When the rays of the page that was begun last are to end: what is left is shared by the pages that are left, and
+    /// their dilation is kept free, which takes the device about what the stage took that ran last, the geometry image.
+    /// Absent without a limit.
+    [[nodiscard]] std::optional<Clock::time_point> trace_deadline() const {
+        if (!m_end) {
+            return {};
+        }
+        const auto left = (*m_end - Clock::now()) / (m_pages - m_page);
+        return Clock::now() + std::chrono::duration_cast<Clock::duration>(left) -
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(m_last_seconds));
+    }
+
     template<typename Work>
     auto run(std::string_view stage, Work&& work) {
-        report(stage, 0.0, 0.0);
+        begin(stage);
         const auto start = Clock::now();
         auto result = work();
-        add(stage, std::chrono::duration<double>(Clock::now() - start).count());
+        m_last_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        add(stage, m_last_seconds);
         return result;
     }
 
     /// For the tracer, of the page that was begun last. This clock must outlive it, and so must the name.
-    [[nodiscard]] std::function<bool(double, std::uint64_t)> trace_progress(std::string_view stage = "trace") {
-        return [this, stage, start = Clock::now()](double share, std::uint64_t rays) {
+    [[nodiscard]] std::function<bool(double, std::uint64_t, double)> trace_progress(std::string_view stage = "trace") {
+        return [this, stage, start = Clock::now()](double share, std::uint64_t rays, double error) {
             const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-            return tell(stage, share, seconds > 0.0 ? static_cast<double>(rays) / seconds : 0.0);
+            return tell({stage, share, seconds > 0.0 ? static_cast<double>(rays) / seconds : 0.0, error});
         };
     }
 
     [[nodiscard]] const std::vector<StageSeconds>& seconds() const { return m_seconds; }
 
 private:
-    using Clock = std::chrono::steady_clock;
-
-    bool tell(std::string_view stage, double share, double rays_per_second) {
-        return !m_progress || m_progress({stage, (m_page + share) / m_pages, rays_per_second});
+    bool tell(ProgressReport report) {
+        report.share = (m_page + report.share) / m_pages;
+        return !m_progress || m_progress(report);
     }
-    void report(std::string_view stage, double share, double rays_per_second) {
-        if (!tell(stage, share, rays_per_second)) {
+    void begin(std::string_view stage) {
+        if (!tell({.stage = stage})) {
             throw Error(ErrorKind::interrupted, "interrupted");
         }
     }
@@ -65,6 +85,8 @@ private:
     }
 
     const Progress& m_progress;
+    std::optional<Clock::time_point> m_end;
+    double m_last_seconds = 0.0;
     double m_page = 0.0;
     double m_pages = 1.0;
     std::vector<StageSeconds> m_seconds;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "vkbake/image.hpp"
+#include "vkbake/lightmap.hpp"
 
 namespace vkbake {
 
@@ -26,5 +27,17 @@ struct Comparison {
 
 /// Throws Error{bad_input} where the sizes differ or no texel is covered by both.
 [[nodiscard]] Comparison compare(const Image& a, const Image& b);
+
+/// How far a bake is from a better one of the same atlas, over the covered texels of all maps: luminance (Rec. 709).
+struct BakeError {
+    double relative_rmse = 0.0; ///< root-mean-square error ÷ the reference's mean, without what the reference's own
+                                ///< error adds, where it was estimated
+    double bias = 0.0;          ///< mean of bake − reference, ÷ the reference's mean
+    double percentile_99 = 0.0; ///< of the absolute errors, ÷ the reference's mean
+    double maximum = 0.0;       ///< of them, ÷ the reference's mean
+};
+
+/// Throws Error{usage} where the maps do not fit each other or the reference is black.
+[[nodiscard]] BakeError compare_bakes(const Bake& bake, const Bake& reference);
 
 } // namespace vkbake

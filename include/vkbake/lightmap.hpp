@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,31 @@ struct LightMapStatistics {
     double seconds = 0.0;                 ///< tracing
 };
 
+/// What a map's own samples say of its error: of luminance (Rec. 709), noise alone (what one sample point a texel
+/// cannot show is no part of it).
+struct MapError {
+    double relative_rmse = 0.0; ///< root-mean-square error over the covered texels ÷ the map's mean
+    double percentile_99 = 0.0; ///< of the texels' standard errors ÷ the map's mean
+    bool target_reached =
+        true; ///< false where 65536 rays a texel, or the time, were too few for Settings::target_error
+    // Samples a texel, those at or below the geometric plane among them; 0 where all texels were given the same number
+    double mean_rays = 0.0;
+    double best_mean_rays = 0.0; ///< the least that the measured variances allow for this error
+    double uniform_rays = 0.0;   ///< that would do as well if all texels had the same number: foretold
+    double slope = 0.0;          ///< of log error against log rays, as this map's samples show it
+};
+
 struct LightMap {
     std::string name; ///< AtlasPage::name
     Image image;      ///< RGB: E/π or visibility; A: 1 where there is a value to sample; coverage: 1 where baked
     LightMapStatistics statistics;
+    // Where Settings::estimate_error was set:
+    std::optional<MapError> error;
+    /// Row-major as the image's texels; 0 where not baked. Of luminance: the truth lies within ± 2.365 standard errors
+    /// of the texel's value with a probability of 95 % (Student's t, 7 degrees of freedom: contrasts of eight parts of
+    /// the texel's sequence). Never less than what no hit, or no miss, in all its rays would allow.
+    std::vector<float> standard_error;
+    std::vector<std::uint32_t> texel_rays; ///< samples a texel; row-major, 0 where not baked
 };
 
 struct StageSeconds {

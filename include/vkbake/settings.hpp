@@ -40,6 +40,16 @@ struct Settings {
     /// also brings what surfaces emit. 0 … 64; mode irradiance.
     std::uint32_t bounces = 0;
     std::uint32_t bounce_rays = 64; ///< a texel and bounce; ≥ 1. Sampler `thesis` always takes its own 256
+    /// Relative error that a map is to have: root-mean-square error of luminance ÷ the map's mean, and no more than one
+    /// texel in a hundred with a standard error above eight times that. Each texel then gets as many rays as it takes,
+    /// 16 to 65536, and `rays` means nothing; the errors are estimated. Of the sky's direct light: bounces have their
+    /// own rays. > 0; sampler cosine.
+    std::optional<double> target_error;
+    /// Seconds that bake() may take, the map as good as they allow; with target_error, whichever is reached first. The
+    /// result depends on the machine, unlike any other's. > 0; sampler cosine, no bounces.
+    std::optional<double> seconds;
+    /// Estimate each texel's error (LightMap::standard_error). Costs no rays; sampler cosine, 16 rays or more.
+    bool estimate_error = false;
     Sampler sampler = Sampler::cosine;
     Accelerator accelerator = Accelerator::bvh;
     TriangleTest triangle_test = TriangleTest::watertight; ///< moller_trumbore: accelerators brute and clusters only

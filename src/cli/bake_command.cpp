@@ -4,6 +4,7 @@
 #include "progress_line.hpp"
 #include "text.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -40,6 +41,18 @@ LightMapFormat format_named(const std::string& name) {
     throw Error(ErrorKind::usage, "--format: \"" + name + "\" is not one of exr, hdr, png");
 }
 
+void print_error(const MapError& error) {
+    fmt::print("  {:<24} error {:.2g} %, of the worst texel in a hundred {:.2g} % (estimates)\n", "",
+               100.0 * error.relative_rmse, 100.0 * error.percentile_99);
+    if (error.mean_rays > 0.0) {
+        fmt::print("  {:<24} {:.0f} rays a texel; {:.0f} for all alike would do as well, {:.0f} at best\n", "",
+                   error.mean_rays, error.uniform_rays, error.best_mean_rays);
+    }
+    if (!error.target_reached) {
+        fmt::print("  {:<24} note: the error asked for was not reached\n", "");
+    }
+}
+
 void print_maps(const Bake& bake) {
     for (const LightMap& map : bake.light_maps) {
         const LightMapStatistics& statistics = map.statistics;
@@ -50,6 +63,9 @@ void print_maps(const Bake& bake) {
                    statistics.rays == 0
                        ? 0.0
                        : 100.0 * static_cast<double>(statistics.occluded_rays) / static_cast<double>(statistics.rays));
+        if (map.error) {
+            print_error(*map.error);
+        }
         if (2 * statistics.back_side_hits > statistics.probed_hits && statistics.probed_hits > 0) {
             fmt::print("  {:<24} note: {:.0f} % of its hits are on back sides: does it lie inside something, or are "
                        "faces turned the wrong way?\n",
@@ -84,6 +100,14 @@ void print_summary(const Bake& bake, const std::vector<std::filesystem::path>& f
     }
 }
 
+constexpr double least_seconds = 0.01;
+
+/// About what encoding a map and writing it take.
+double writing_seconds(const Settings& settings) {
+    constexpr double a_texel = 6e-7;
+    return a_texel * settings.size * settings.size;
+}
+
 int run_bake(BakeOptions options) {
     const auto start = std::chrono::steady_clock::now();
     const LightMapFormat format = format_named(options.format);
@@ -93,12 +117,18 @@ int run_bake(BakeOptions options) {
     const Scene scene = load_scene(options.scene, options.load);
     const Sky sky = options.sky.load();
     const Device device = open_device({.name = options.device});
+    Settings settings = options.settings;
+    if (settings.seconds) {
+        const double loading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        settings.seconds = std::max(*settings.seconds - loading - writing_seconds(settings), least_seconds);
+    }
     Bake result;
     std::vector<std::filesystem::path> files;
     {
         ProgressLine line(options.quiet);
-        result = bake(scene, sky, options.settings, device,
-                      [&line](const ProgressReport& report) { return line.update(report); });
+        result =
+            bake(scene, sky, settings, device, [&line](const ProgressReport& report) { return line.update(report); });
+        result.settings.seconds = options.settings.seconds;
         stop_on_interrupt();
         files = write_bake(scene, result, {.directory = options.output, .format = format, .command = options.command},
                            [&line](const ProgressReport& report) { return line.update(report); });

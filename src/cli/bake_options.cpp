@@ -4,6 +4,11 @@
 #include "vkbake/vkbake.hpp"
 
 namespace vkbake::cli {
+namespace {
+
+double quality_error(const std::string& name) { return name == "draft" ? 0.05 : name == "preview" ? 0.02 : 0.005; }
+
+} // namespace
 
 Sky SkyOptions::load() const {
     Sky sky = load_sky(source);
@@ -66,6 +71,21 @@ void add_light_options(CLI::App& app, Settings& settings) {
     app.add_option("--bounce-rays", settings.bounce_rays, "Rays a texel of each bounce")
         ->check(CLI::Range(1U, 1U << 24U))
         ->capture_default_str();
+    app.add_option_function<double>(
+           "--target-error", [&settings](double error) { settings.target_error = error; },
+           "Instead of --rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")
+        ->check(CLI::PositiveNumber);
+    app.add_option_function<std::string>(
+           "--quality", [&settings](const std::string& name) { settings.target_error = quality_error(name); },
+           "A named target error: draft (5 %), preview (2 %), final (0.5 %)")
+        ->check(CLI::IsMember({"draft", "preview", "final"}))
+        ->type_name("draft|preview|final");
+    app.add_option_function<double>(
+           "--time", [&settings](double seconds) { settings.seconds = seconds; },
+           "Instead of --rays: seconds that the bake may take; the best maps that they allow")
+        ->check(CLI::PositiveNumber);
+    app.add_flag("--error-map", settings.estimate_error,
+                 "Estimate each texel's error and write it beside the light map; costs no rays");
     add_choice(app, "--sampler", settings.sampler, "How directions are chosen");
     add_choice(app, "--accelerator", settings.accelerator, "What rays are traced against; never changes the result");
     add_choice(app, "--triangle-test", settings.triangle_test,

@@ -12,9 +12,9 @@ namespace {
 
 using namespace vkbake;
 
-constexpr std::array<cli::AddCommand, 5> commands{cli::add_bake_command, cli::add_inspect_command,
-                                                  cli::add_render_command, cli::add_compare_command,
-                                                  cli::add_devices_command};
+constexpr std::array<cli::AddCommand, 6> commands{cli::add_bake_command,     cli::add_inspect_command,
+                                                  cli::add_render_command,   cli::add_compare_command,
+                                                  cli::add_tradeoff_command, cli::add_devices_command};
 
 int parse_and_run(int argument_count, char** arguments) {
     CLI::App app("Light maps for glTF scenes: a scene in, light maps and a glTF that uses them out.", "vkbake");

@@ -23,6 +23,9 @@ std::string ProgressLine::line(const ProgressReport& report) const {
     std::string text = fmt::format("{:<14} {:5.1f} %", report.stage, 100.0 * report.share);
     if (report.rays_per_second > 0.0) {
         text += fmt::format("  {} rays/s", count_text(report.rays_per_second));
+        if (report.error > 0.0) {
+            text += fmt::format("  error {:.2g} %", 100.0 * report.error);
+        }
         const double seconds = std::chrono::duration<double>(Clock::now() - m_trace_start).count();
         const double gained = report.share - m_trace_start_share;
         // A time left that is foretold from the first moments is worse than none.

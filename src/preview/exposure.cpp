@@ -3,15 +3,13 @@
 #include <cmath>
 #include <cstddef>
 
-#include <glm/geometric.hpp>
+#include "base/luminance.hpp"
 
 namespace vkbake {
 
 namespace {
 
 constexpr double black_share = 0.01; ///< of the mean: what is darker counts as black
-
-double luminance(const glm::dvec3& color) { return glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722)); } // Rec. 709
 
 /// Of the covered, finite texels whose luminance is at least `least`.
 glm::dvec3 mean_above(const std::vector<Image>& light_maps, double least) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "trace/contrasts.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -14,6 +15,19 @@ void check_trace_settings(const Settings& settings) {
         }
     };
     require(settings.rays >= 1, "0 rays a texel; give 1 or more");
+    const bool estimated = settings.estimate_error || settings.target_error || settings.seconds;
+    require(!estimated || settings.sampler == Sampler::cosine,
+            "no error estimate for the sampler thesis, whose directions are always the same; choose cosine");
+    const bool adaptive = settings.target_error || settings.seconds;
+    require(!settings.estimate_error || adaptive || settings.rays >= least_estimated_rays,
+            "an error estimate of " + std::to_string(settings.rays) + " rays a texel; give 16 or more");
+    const auto positive = [](const std::optional<double>& value) {
+        return !value || (std::isfinite(*value) && *value > 0.0);
+    };
+    require(positive(settings.target_error), "the target error is not a number above 0; give a share such as 0.01");
+    require(!settings.seconds || settings.bounces == 0,
+            "a time and bounces, whose time it does not share out; give rays or a target error");
+    require(positive(settings.seconds), "the time is not a number above 0; give seconds");
     if (settings.ao_distance) {
         require(settings.mode == Mode::ao,
                 "a distance limit without mode ao; choose mode ao or leave the distance out");

@@ -44,8 +44,8 @@ CosineStrata::Cell hilbert_cell(std::uint32_t place, unsigned bits) {
 
 } // namespace
 
-CosineStrata::CosineStrata(std::uint32_t rays)
-    : m_rays(rays), m_bits(bits_for(rays)),
+CosineStrata::CosineStrata(std::uint32_t rays, std::uint32_t first)
+    : m_rays(rays), m_first(first), m_bits(bits_for(rays)),
       m_count(((std::uint64_t{rays} + (1ULL << (2 * m_bits)) - 1) >> (2 * m_bits)) << (2 * m_bits)) {
     const std::uint32_t cells = 1U << m_bits;
     const std::uint32_t low = cells - 1;

@@ -42,17 +42,22 @@ public:
         std::uint32_t image = 0;
     };
 
-    /// `rays`: samples a texel, ≥ 1. k is the largest with 4^k ≤ rays, and 6 at most: 4096 cells.
-    explicit CosineStrata(std::uint32_t rays);
+    /// `rays`: samples a texel, ≥ 1. k is the largest with 4^k ≤ rays, and 6 at most: 4096 cells. `first`: those below
+    /// it are left out, for texels that have them already; 0, or 16 or more and < rays.
+    explicit CosineStrata(std::uint32_t rays, std::uint32_t first = 0);
 
     [[nodiscard]] std::uint32_t rays() const { return m_rays; }
+    [[nodiscard]] std::uint32_t first() const { return m_first; }
     [[nodiscard]] unsigned bits() const { return m_bits; } ///< k
-    /// Rounds times cells; where the last round is not full, some strata hold a sample whose index is not below rays().
+    /// Rounds times cells; where a round is not full, some strata hold a sample whose index is not below rays(), or is
+    /// below first().
     [[nodiscard]] std::uint64_t count() const { return m_count; }
     /// Those of full rounds.
     [[nodiscard]] std::uint64_t full_count() const { return m_rays >> (2 * m_bits) << (2 * m_bits); }
+    /// Of the first block: rounds that lie wholly below first() have none.
+    [[nodiscard]] std::uint64_t first_stratum() const { return std::uint64_t{m_first} >> (2 * m_bits) << (2 * m_bits); }
     [[nodiscard]] std::size_t block_count() const {
-        return static_cast<std::size_t>((m_count + RayBlock::strata - 1) / RayBlock::strata);
+        return static_cast<std::size_t>((m_count - first_stratum() + RayBlock::strata - 1) / RayBlock::strata);
     }
     [[nodiscard]] Cell cell(std::uint64_t stratum) const {
         return m_cells[static_cast<std::size_t>(stratum) & (m_cells.size() - 1)];
@@ -68,6 +73,7 @@ public:
 
 private:
     std::uint32_t m_rays;
+    std::uint32_t m_first;
     unsigned m_bits;
     std::uint64_t m_count;
     std::vector<Cell> m_cells; ///< 4^k along the curve

@@ -144,7 +144,7 @@ HWY_INLINE std::array<Place, RayBlock::strata> places_of(const CosineStrata& str
                                                          std::size_t number) {
     std::array<Place, RayBlock::strata> places{};
     for (std::size_t i = 0; i < RayBlock::strata; ++i) {
-        const std::uint64_t stratum = std::uint64_t{number} * RayBlock::strata + i;
+        const std::uint64_t stratum = strata.first_stratum() + std::uint64_t{number} * RayBlock::strata + i;
         const CosineStrata::Cell cell = strata.cell(stratum);
         places[i] = {&tables.columns[cell.reversed_column], &tables.rows[cell.reversed_row],
                      strata.round_part(strata.round(stratum))};
@@ -153,10 +153,11 @@ HWY_INLINE std::array<Place, RayBlock::strata> places_of(const CosineStrata& str
 }
 
 std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
-                                std::size_t number, RayBlock& block) {
+                                std::size_t number, RayBlock& block, SampleIndices* indices) {
     const WordLanes words;
     const auto places = places_of(strata, tables, number);
-    const Words ray_count = set_word(strata.rays());
+    const Words first_index = set_word(strata.first());
+    const Words index_count = set_word(strata.rays() - strata.first());
     std::array<unsigned, RayBlock::strata> asked{};
     std::array<unsigned, RayBlock::strata> active{};
     for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(words)) {
@@ -176,7 +177,10 @@ std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables&
             const Words index = joined(column.index, row.index, round.index);
             const Words image = joined(column.image, row.image, round.image);
             store({centred(in_x(index)), centred(in_y(image)), set(0.0F)}, block.direction[i], first);
-            asked[i] |= bits_at(first, hn::RebindMask(Lanes(), hn::Lt(index, ray_count)));
+            asked[i] |= bits_at(first, hn::RebindMask(Lanes(), hn::Lt(index - first_index, index_count)));
+            if (indices != nullptr) {
+                hn::Store(index, words, &indices->of[i][first]);
+            }
         }
         for (auto& rows : block.direction) {
             const Vector3 point = load(rows, first);
@@ -230,8 +234,8 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
 }
 
 std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
-                             std::size_t number, RayBlock& block) {
-    return HWY_DYNAMIC_DISPATCH(cosine_directions)(strata, tables, lanes, number, block);
+                             std::size_t number, RayBlock& block, SampleIndices* indices) {
+    return HWY_DYNAMIC_DISPATCH(cosine_directions)(strata, tables, lanes, number, block, indices);
 }
 
 std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes, std::size_t number,

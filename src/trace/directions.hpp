@@ -23,17 +23,24 @@ struct StratumTables {
     alignas(64) std::array<Rows, CosineStrata::most_cells> rows{};
 };
 
+/// Of a block's samples, [stratum][lane]: each one's number in its texel's sequence.
+struct SampleIndices {
+    alignas(64) std::array<std::array<std::uint32_t, RayBlock::lanes>, RayBlock::strata> of{};
+};
+
 /// Inverts the scrambles of a tile's texels.
 void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, StratumTables& tables);
 
 // The two below set `direction` and `active` of a block: unit vectors to about 2⁻²², in the lanes' frames; active are
 // those of covered lanes that lie above the lane's geometric plane. The bits are the same on every machine.
 
-/// Cosine-weighted directions, density cos θ / π, of the strata [16 · number, 16 · number + 16): the concentric map of
-/// Shirley and Chiu 1997 lifted to the hemisphere (Malley). About the normal z ≥ 2⁻¹². Returns how many samples were
-/// asked for: those of covered lanes whose index is below strata.rays(); others are not active.
+/// Cosine-weighted directions, density cos θ / π, of the strata [f + 16 · number, f + 16 · number + 16), f =
+/// strata.first_stratum(): the concentric map of Shirley and Chiu 1997 lifted to the hemisphere (Malley). About the
+/// normal z ≥ 2⁻¹². Returns how many samples were asked for: those of covered lanes whose index is in [strata.first(),
+/// strata.rays()); others are not active. Where `indices` is not null it is filled.
 [[nodiscard]] std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& tables,
-                                           const TileLanes& lanes, std::size_t number, RayBlock& block);
+                                           const TileLanes& lanes, std::size_t number, RayBlock& block,
+                                           SampleIndices* indices = nullptr);
 
 /// The thesis's; all of the covered lanes' are asked for.
 [[nodiscard]] std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes,

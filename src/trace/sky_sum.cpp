@@ -4,6 +4,7 @@
 #include <numbers>
 #include <span>
 
+#include "base/luminance.hpp"
 #include "base/simd_targets.hpp"
 
 #ifndef VKBAKE_TRACE_SKY_SUM
@@ -15,6 +16,7 @@ struct SkyRays {
     std::span<const std::array<RayBlock::LaneRow, 3>> directions;
     std::span<const RayBlock::LaneBits> open;
     std::span<const double> weights;
+    LuminanceRows* luminance = nullptr;
 };
 
 } // namespace vkbake
@@ -47,6 +49,19 @@ HWY_INLINE void add_row(const RayBlock::LaneRow& row, double weight, std::array<
     }
 }
 
+template<std::size_t channels>
+HWY_INLINE void set_luminance(const std::array<RayBlock::LaneRow, channels>& rows, RayBlock::LaneRow& luminance) {
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+        Vector value = load(rows[0], first);
+        if constexpr (channels == 3) {
+            value = value * set(static_cast<float>(luminance_weights.x)) +
+                    load(rows[1], first) * set(static_cast<float>(luminance_weights.y)) +
+                    load(rows[2], first) * set(static_cast<float>(luminance_weights.z));
+        }
+        hn::Store(value, Lanes(), &luminance[first]);
+    }
+}
+
 template<class Radiance>
 HWY_INLINE void add(const Radiance& radiance, const SkyRays& rays, LaneSums& sums) {
     // Two short loops: in one long one each look-up's chain of operations would hide behind too few others.
@@ -65,6 +80,9 @@ HWY_INLINE void add(const Radiance& radiance, const SkyRays& rays, LaneSums& sum
         }
         for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
             radiance.look_up(load(places[stratum], first), mask_at(first, rays.open[stratum]), first, rows);
+        }
+        if (rays.luminance != nullptr) {
+            set_luminance(rows, (*rays.luminance)[stratum]);
         }
         for (std::size_t channel = 0; channel < Radiance::channels; ++channel) {
             add_row(rows[channel], rays.weights[stratum], sums.channels[channel]);
@@ -110,8 +128,13 @@ struct Add {
 } // namespace
 
 void add_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open,
-             const std::array<double, RayBlock::strata>& weights, LaneSums& sums) {
-    std::visit(Add{{block.direction, open, weights}, sums}, sky);
+             const std::array<double, RayBlock::strata>& weights, LaneSums& sums, LuminanceRows* luminance) {
+    std::visit(Add{{block.direction, open, weights, luminance}, sums}, sky);
+}
+
+double luminance_scale(const SkyLookup& sky) {
+    const auto* constant = std::get_if<ConstantLookup>(&sky);
+    return constant != nullptr ? luminance(glm::dvec3(constant->radiance)) : 1.0;
 }
 
 glm::vec3 radiance(const SkyLookup& sky, const glm::vec3& direction) {

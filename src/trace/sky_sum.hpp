@@ -17,11 +17,18 @@ struct LaneSums {
     alignas(64) std::array<std::array<double, RayBlock::lanes>, 3> channels{};
 };
 
+/// Of each ray of a block its sky's luminance (Rec. 709), as far as the sky is not of one colour: see luminance_scale.
+using LuminanceRows = std::array<RayBlock::LaneRow, RayBlock::strata>;
+
 /// Adds the rays that are set in `open`, which must be active, in the order of the strata; so a lane's sum depends on
 /// its own rays only, to the bit, on every machine. The radiance is that of a formula in float: within 1e-6 of the
 /// clear sky's; a picture is looked at within 2⁻²¹ of its width of the right place.
+/// Where `luminance` is not null it is filled for the open rays; the others' values mean nothing.
 void add_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open,
-             const std::array<double, RayBlock::strata>& weights, LaneSums& sums);
+             const std::array<double, RayBlock::strata>& weights, LaneSums& sums, LuminanceRows* luminance = nullptr);
+
+/// What the values of LuminanceRows are to be multiplied with.
+[[nodiscard]] double luminance_scale(const SkyLookup& sky);
 
 /// One lane's sum in full.
 [[nodiscard]] glm::dvec3 total(const SkyLookup& sky, const LaneSums& sums, std::size_t lane);

@@ -6,17 +6,17 @@ namespace vkbake {
 
 namespace {
 
-std::variant<CosineStrata, ThesisDirections> make_directions(const Settings& settings) {
+std::variant<CosineStrata, ThesisDirections> make_directions(const Settings& settings, std::uint32_t first) {
     if (settings.sampler == Sampler::thesis) {
         return ThesisDirections();
     }
-    return CosineStrata(settings.rays);
+    return CosineStrata(settings.rays, first);
 }
 
 } // namespace
 
-RayPlan::RayPlan(const Settings& settings, float max_distance)
-    : m_settings(settings), m_max_distance(max_distance), m_directions(make_directions(settings)) {}
+RayPlan::RayPlan(const Settings& settings, float max_distance, std::uint32_t first)
+    : m_settings(settings), m_max_distance(max_distance), m_directions(make_directions(settings, first)) {}
 
 std::size_t RayPlan::block_count() const {
     const auto* cosine = std::get_if<CosineStrata>(&m_directions);
@@ -26,6 +26,11 @@ std::size_t RayPlan::block_count() const {
 std::uint32_t RayPlan::samples() const {
     const auto* cosine = std::get_if<CosineStrata>(&m_directions);
     return cosine != nullptr ? cosine->rays() : ThesisDirections::count;
+}
+
+std::uint32_t RayPlan::first() const {
+    const auto* cosine = std::get_if<CosineStrata>(&m_directions);
+    return cosine != nullptr ? cosine->first() : 0;
 }
 
 std::uint64_t RayPlan::full_strata() const {
@@ -62,9 +67,9 @@ void TileRays::begin(const TexelTile& tile) {
     }
 }
 
-const RayBlock& TileRays::make(std::size_t block) {
+const RayBlock& TileRays::make(std::size_t block, SampleIndices* indices) {
     if (const auto* cosine = std::get_if<CosineStrata>(&m_plan->directions())) {
-        m_asked = set_directions(*cosine, m_tables, m_lanes, block, m_block);
+        m_asked = set_directions(*cosine, m_tables, m_lanes, block, m_block, indices);
     } else {
         m_asked = set_directions(*std::get_if<ThesisDirections>(&m_plan->directions()), m_lanes, block, m_block);
     }

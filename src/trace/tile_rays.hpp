@@ -23,15 +23,17 @@ class RayPlan {
 public:
     using Weights = std::array<double, RayBlock::strata>;
 
-    /// Of the settings it takes sampler, rays and seed. `max_distance`: bake frame.
-    RayPlan(const Settings& settings, float max_distance);
+    /// Of the settings it takes sampler, rays and seed. `max_distance`: bake frame. `first`: the samples below it are
+    /// left out; sampler cosine only, as in CosineStrata.
+    RayPlan(const Settings& settings, float max_distance, std::uint32_t first = 0);
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     [[nodiscard]] float max_distance() const { return m_max_distance; }
     [[nodiscard]] const std::variant<CosineStrata, ThesisDirections>& directions() const { return m_directions; }
     /// Blocks a tile.
     [[nodiscard]] std::size_t block_count() const;
-    [[nodiscard]] std::uint32_t samples() const; ///< a texel
+    [[nodiscard]] std::uint32_t samples() const; ///< a texel, those left out with them
+    [[nodiscard]] std::uint32_t first() const;   ///< so many are left out
     /// The first so many strata all hold a sample; ≥ 1.
     [[nodiscard]] std::uint64_t full_strata() const;
     /// E/π is estimated by scale() · Σ weight · L. With cosine-weighted samples it is the plain mean of L, and a
@@ -60,9 +62,11 @@ public:
     TileRays(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan);
 
     void begin(const TexelTile& tile);
+    /// From now on another plan, of the same seed and distance limit, which must outlive it.
+    void set_plan(const RayPlan& plan) { m_plan = &plan; }
     /// `block` < plan.block_count(). Holds until the next call. Active are the samples that lie above their texel's
-    /// geometric plane.
-    const RayBlock& make(std::size_t block);
+    /// geometric plane. Where `indices` is not null it is filled; sampler cosine only.
+    const RayBlock& make(std::size_t block, SampleIndices* indices = nullptr);
     /// The samples of the last block, those below the plane with them.
     [[nodiscard]] std::uint32_t asked() const { return m_asked; }
     [[nodiscard]] const TileLanes& lanes() const { return m_lanes; }

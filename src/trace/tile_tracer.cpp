@@ -1,6 +1,7 @@
 #include "trace/tile_tracer.hpp"
 
 #include <bit>
+#include <limits>
 #include <optional>
 
 #include "base/random.hpp"
@@ -9,6 +10,8 @@
 namespace vkbake {
 
 namespace {
+
+constexpr std::uint64_t no_probe = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t ray_count(const BlockedRays& rays) {
     int count = 0;
@@ -30,7 +33,7 @@ void TileTracer::sum_up(const TexelTile& tile) {
     m_rays.begin(tile);
     choose_probes();
     for (std::size_t number = 0; number < m_plan->block_count(); ++number) {
-        const RayBlock& block = m_rays.make(number);
+        const RayBlock& block = m_rays.make(number, m_with_parts ? &m_indices : nullptr);
         const BlockedRays blocked = m_accelerator->blocked(block, m_scratch);
         const std::uint64_t rays = ray_count(block.active);
         m_counts.rays += rays;
@@ -40,13 +43,38 @@ void TileTracer::sum_up(const TexelTile& tile) {
         for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
             open[stratum] = static_cast<RayBlock::LaneBits>(block.active[stratum] & ~blocked[stratum]);
         }
-        add_sky(*m_sky, block, open, m_plan->weights(number), m_sums);
+        add_sky(*m_sky, block, open, m_plan->weights(number), m_sums, m_with_parts ? &m_luminance : nullptr);
+        if (m_with_parts) {
+            add_parts(open, blocked);
+        }
         probe(number, block, blocked);
+    }
+}
+
+void TileTracer::add_parts(const BlockedRays& open, const BlockedRays& blocked) {
+    const unsigned shift = part_shift(m_plan->samples());
+    const double scale = luminance_scale(*m_sky);
+    for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
+        for (unsigned bits = open[stratum]; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            const std::uint32_t part = m_indices.of[stratum][lane] >> shift;
+            if (part < part_count) { // those beyond a power of two belong to none
+                m_parts.luminance[part][lane] += scale * static_cast<double>(m_luminance[stratum][lane]);
+            }
+            ++m_parts.open[lane];
+        }
+        for (unsigned bits = blocked[stratum]; bits != 0; bits &= bits - 1) {
+            ++m_parts.blocked[static_cast<std::size_t>(std::countr_zero(bits))];
+        }
     }
 }
 
 void TileTracer::choose_probes() {
     for (std::size_t lane = 0; lane < m_probes.size(); ++lane) {
+        if (m_plan->first() > 0) { // chosen, and looked at, when the texel had its first rays
+            m_probes[lane] = no_probe;
+            continue;
+        }
         // The key's own halves seed the scrambles.
         const std::uint64_t random = mix64(m_rays.lanes().key[lane]) >> 32U;
         m_probes[lane] = random * m_plan->full_strata() >> 32U;

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "bvh/accelerator.hpp"
+#include "trace/contrasts.hpp"
 #include "trace/sky_sum.hpp"
 #include "trace/tile_rays.hpp"
 
@@ -31,6 +32,13 @@ struct RayCounts {
     }
 };
 
+/// Of each lane, what the estimate of its error is made from.
+struct LaneParts {
+    alignas(64) std::array<std::array<double, RayBlock::lanes>, part_count> luminance{}; ///< Σ L of the part's samples
+    std::array<std::uint32_t, RayBlock::lanes> open{};                                   ///< rays that met nothing
+    std::array<std::uint32_t, RayBlock::lanes> blocked{};
+};
+
 /// Traces one tile after the other, for one thread; allocates nothing after it is made.
 ///
 /// Of each texel one sample, which its key chooses, is a *probe*: where its ray is blocked, the nearest hit is asked
@@ -42,6 +50,12 @@ public:
     TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
                const TriangleAccelerator& accelerator);
 
+    /// From now on another plan: TileRays::set_plan.
+    void set_plan(const RayPlan& plan) {
+        m_plan = &plan;
+        m_rays.set_plan(plan);
+    }
+
     /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
     template<typename Store>
     void trace(const TexelTile& tile, const Store& store) {
@@ -51,11 +65,27 @@ public:
         }
     }
 
+    /// As trace(), and sums up the parts of the sequence; sampler cosine only. Calls store(lane, sum), after which
+    /// parts() holds what the lanes have.
+    template<typename Store>
+    void trace_parts(const TexelTile& tile, const Store& store) {
+        m_parts = {};
+        m_with_parts = true;
+        sum_up(tile);
+        m_with_parts = false;
+        for (std::uint32_t lane = 0; lane < tile.count; ++lane) {
+            store(lane, total(*m_sky, m_sums, lane));
+        }
+    }
+    [[nodiscard]] const LaneParts& parts() const { return m_parts; }
+
     /// Of all tiles so far.
     [[nodiscard]] const RayCounts& counts() const { return m_counts; }
 
 private:
     void sum_up(const TexelTile& tile);
+    /// Adds a block's rays to the parts that their samples belong to.
+    void add_parts(const BlockedRays& open, const BlockedRays& blocked);
     /// Chooses each texel's probe.
     void choose_probes();
     /// Follows the probes that lie in a block.
@@ -67,6 +97,10 @@ private:
     TileRays m_rays;
     BlockScratch m_scratch;
     LaneSums m_sums;
+    bool m_with_parts = false;
+    LaneParts m_parts;
+    SampleIndices m_indices;
+    LuminanceRows m_luminance{};
     std::array<std::uint64_t, RayBlock::lanes> m_probes{}; ///< a stratum
     RayCounts m_counts;
 };

@@ -5,14 +5,15 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "base/float_state.hpp"
 #include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "trace/adaptive.hpp"
 #include "trace/check_settings.hpp"
 #include "trace/gather_tracer.hpp"
+#include "trace/sampled_map.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/texel_tiles.hpp"
 #include "trace/tile_loop.hpp"
@@ -35,46 +36,18 @@ TriangleAccelerator make_accelerator(const Surface& surface, const Settings& set
             {settings.accelerator, settings.triangle_test, settings.cluster_splits, settings.threads}};
 }
 
-/// One a worker, each for itself in memory: what they write while tracing shares no cache line.
-using Workers = std::vector<std::unique_ptr<TileTracer>>;
-
-RayCounts sum_of(const Workers& workers) {
-    RayCounts total;
-    for (const auto& worker : workers) {
-        total += worker->counts();
+/// Tells how much of the work is done; throws where it is to stop, but not when there was nothing to do.
+std::function<bool(std::size_t)> report_of(std::size_t tiles, const Workers& workers, const TraceProgress& progress) {
+    if (!progress) {
+        return {};
     }
-    return total;
-}
-
-/// Calls trace(tile, worker) for all tiles, and says how far it is some ten times a second. Reports come between bands
-/// of tiles, so that they come from this thread; the sizes of bands and tasks change no result.
-void trace_tiles(std::span<const TexelTile> tiles, std::uint64_t rays_a_texel, int threads, const Workers& workers,
-                 const std::function<void(const TexelTile&, TileTracer&)>& trace, const TraceProgress& progress) {
-    // Below this, handing work to a thread costs more than a per cent of it.
-    constexpr std::uint64_t worthwhile_rays = 4096;
-    constexpr std::uint64_t first_band_rays = 1U << 18U;
-    const std::uint64_t rays_a_tile = rays_a_texel * RayBlock::lanes;
-    const auto grain = static_cast<std::size_t>((worthwhile_rays + rays_a_tile - 1) / rays_a_tile);
-    if (tiles.empty() && progress) {
-        (void)progress(1.0, 0); // nothing is left to stop
-    }
-    std::size_t band = static_cast<std::size_t>(first_band_rays / rays_a_tile) + 2;
-    for (std::size_t first = 0; first < tiles.size();) {
-        const auto start = std::chrono::steady_clock::now();
-        const std::size_t count = std::min(band, tiles.size() - first);
-        parallel_ranges_by_worker(count, grain, threads, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-            for (std::size_t tile = begin; tile < end; ++tile) {
-                trace(tiles[first + tile], *workers[worker]);
-            }
-        });
-        first += count;
-        if (progress &&
-            !progress(static_cast<double>(first) / static_cast<double>(tiles.size()), sum_of(workers).rays)) {
+    return [&, tiles](std::size_t done) {
+        const double share = tiles == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(tiles);
+        if (!progress(share, sum_of(workers).rays, 0.0) && tiles > 0) {
             throw Error(ErrorKind::interrupted, "interrupted");
         }
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        band = seconds < 0.06 ? band * 2 : (seconds > 0.15 ? std::max<std::size_t>(band / 2, 1) : band);
-    }
+        return true;
+    };
 }
 
 Image empty_image(const GeometryImage& geometry) {
@@ -103,6 +76,49 @@ struct Tracer::State {
         return workers;
     }
 
+    /// The same number of rays for all, nothing kept of them but their sum.
+    void trace_plain(const std::vector<TexelTile>& tiles, const Workers& workers, const TraceProgress& progress,
+                     LightMap& map) const {
+        const double scale = plan.scale() * intensity;
+        const auto store = [&](std::uint32_t texel, const glm::dvec3& sum) {
+            map.image.texels[texel] = glm::vec4(glm::vec3(sum * scale), 1.0F);
+            map.image.coverage[texel] = 1.0F;
+        };
+        const TileLoop loop{.count = tiles.size(),
+                            .rays_a_job = std::uint64_t{plan.samples()} * RayBlock::lanes,
+                            .threads = threads,
+                            .report = report_of(tiles.size(), workers, progress)};
+        run(loop, [&](std::size_t tile, std::size_t worker) { workers[worker]->trace(tiles[tile], store); });
+    }
+
+    void trace_estimated(const std::vector<TexelTile>& tiles, const Workers& workers, const TraceProgress& progress,
+                         LightMap& map) const {
+        SampledMap sampled(tiles, plan.settings(), plan.max_distance(), intensity);
+        std::vector<TileOrder> orders;
+        for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+            orders.push_back({static_cast<std::uint32_t>(tile), plan.samples()});
+        }
+        sampled.extend(orders, workers, report_of(tiles.size(), workers, progress));
+        sampled.write_to(map);
+    }
+
+    void trace_adaptively(const std::vector<TexelTile>& tiles, const Workers& workers, const TraceProgress& progress,
+                          std::optional<std::chrono::steady_clock::time_point> deadline, LightMap& map) const {
+        SampledMap sampled(tiles, plan.settings(), plan.max_distance(), intensity);
+        const AdaptiveResult result = sample_adaptively(
+            sampled, workers, {plan.settings().target_error, deadline}, [&](double share, double error) {
+                if (progress && !progress(share, sum_of(workers).rays, error) && !tiles.empty()) {
+                    throw Error(ErrorKind::interrupted, "interrupted");
+                }
+            });
+        sampled.write_to(map);
+        const auto texels = static_cast<double>(std::max<std::size_t>(sampled.texel_count(), 1));
+        map.error->target_reached = result.reached;
+        map.error->mean_rays = result.samples / texels;
+        map.error->best_mean_rays = result.best_samples / texels;
+        map.error->uniform_rays = static_cast<double>(result.uniform);
+    }
+
     const Surface* surface; ///< never null
     int threads;
     SkyLookup radiance;
@@ -120,26 +136,27 @@ Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
-LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progress) const {
+LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progress,
+                       std::optional<std::chrono::steady_clock::time_point> deadline) const {
     const DefaultFloatState float_state;
     const auto start = std::chrono::steady_clock::now();
     const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
-
-    LightMap map{.name = {}, .image = empty_image(geometry), .statistics = {}};
-    const double scale = m_state->plan.scale() * m_state->intensity;
-    const auto store = [&](std::uint32_t texel, const glm::dvec3& sum) {
-        map.image.texels[texel] = glm::vec4(glm::vec3(sum * scale), 1.0F);
-        map.image.coverage[texel] = 1.0F;
-    };
     const Workers workers = m_state->make_workers(geometry);
-    trace_tiles(
-        tiles, m_state->plan.samples(), m_state->threads, workers,
-        [&](const TexelTile& tile, TileTracer& worker) { worker.trace(tile, store); }, progress);
 
-    const RayCounts counts = sum_of(workers);
+    LightMap map{.image = empty_image(geometry)};
+    const Settings& settings = m_state->plan.settings();
+    if (settings.target_error || deadline) {
+        m_state->trace_adaptively(tiles, workers, progress, deadline, map);
+    } else if (settings.estimate_error) {
+        m_state->trace_estimated(tiles, workers, progress, map);
+    } else {
+        m_state->trace_plain(tiles, workers, progress, map);
+    }
+
     for (const TexelTile& tile : tiles) {
         map.statistics.covered_texels += tile.count;
     }
+    const RayCounts counts = sum_of(workers);
     map.statistics.rays = counts.rays;
     map.statistics.occluded_rays = counts.occluded_rays;
     map.statistics.skipped_directions = counts.skipped_directions;
@@ -170,13 +187,13 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
         return counts.rays;
     };
 
-    LightMap map{.name = {}, .image = empty_image(geometry), .statistics = {}};
+    LightMap map{.image = empty_image(geometry)};
     const TileLoop loop{.count = tiles.size(),
                         .rays_a_job = std::uint64_t{plan.samples()} * RayBlock::lanes,
                         .threads = m_state->threads,
                         .report = [&](std::size_t done) {
                             const auto all = static_cast<double>(std::max<std::size_t>(tiles.size(), 1));
-                            return !progress || progress(static_cast<double>(done) / all, rays());
+                            return !progress || progress(static_cast<double>(done) / all, rays(), 0.0);
                         }};
     const std::size_t done = run(loop, [&](std::size_t tile, std::size_t worker) {
         workers[worker]->trace(tiles[tile], [&](std::uint32_t texel, const glm::dvec3& sum) {

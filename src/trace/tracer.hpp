@@ -1,8 +1,10 @@
 // Geometry image → light map.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "trace/surface_light.hpp"
 #include "vkbake/geometry_image.hpp"
@@ -13,8 +15,9 @@
 
 namespace vkbake {
 
-/// How far one map is: texels done of all its covered texels, and rays traced so far. Returns false to stop.
-using TraceProgress = std::function<bool(double share, std::uint64_t rays)>;
+/// How far one map is: the share of its work that is done, the rays traced so far, and the error estimated of it (0:
+/// not known). Returns false to stop.
+using TraceProgress = std::function<bool(double share, std::uint64_t rays, double error)>;
 
 /// Holds what all maps of a bake share: the accelerator over the surface and the sky made ready for look-ups.
 /// The surface must outlive it.
@@ -30,7 +33,9 @@ public:
 
     /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called
     /// from the calling thread only. Throws Error{interrupted} where it returned false.
-    [[nodiscard]] LightMap trace(const GeometryImage& geometry, const TraceProgress& progress = {}) const;
+    /// `deadline`: when the rays are to end that Settings::seconds allows; absent, never.
+    [[nodiscard]] LightMap trace(const GeometryImage& geometry, const TraceProgress& progress = {},
+                                 std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;
 
     /// What surfaces send to the texels in place of the sky: E/π of one bounce, with rays of its own for each `bounce`
     /// (1, 2 …). Sets the image and, of the statistics, bounce_rays and seconds. Else as trace().

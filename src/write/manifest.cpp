@@ -19,6 +19,10 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 Json map_json(const LightMap& map, const WrittenMap& written, Mode mode) {
     Json json{{"name", map.name}, {"file", written.file}};
     json.update(counts_json(map));
+    if (!written.error_file.empty()) {
+        json["error_file"] = written.error_file;
+        json["rays_file"] = written.rays_file;
+    }
     json["values_out_of_range"] = written.changed_values;
     if (mode == Mode::irradiance) {
         json["intensity"] = written.intensity;
@@ -85,6 +89,9 @@ Json settings_json(const Settings& settings) {
             {"accelerator", name_of(settings.accelerator)},
             {"triangle-test", name_of(settings.triangle_test)},
             {"cluster-splits", settings.cluster_splits},
+            {"target-error", or_null(settings.target_error)},
+            {"time", or_null(settings.seconds)},
+            {"error-map", settings.estimate_error},
             {"seed", settings.seed},
             {"padding", settings.padding}};
 }
@@ -92,17 +99,29 @@ Json settings_json(const Settings& settings) {
 Json counts_json(const LightMap& map) {
     const LightMapStatistics& statistics = map.statistics;
     const auto texels = static_cast<double>(map.image.texels.size());
-    return {{"width", map.image.width},
-            {"height", map.image.height},
-            {"coverage", texels > 0.0 ? static_cast<double>(statistics.covered_texels) / texels : 0.0},
-            {"covered_texels", statistics.covered_texels},
-            {"filled_texels", statistics.filled_texels},
-            {"rays", statistics.rays},
-            {"occluded_rays", statistics.occluded_rays},
-            {"skipped_directions", statistics.skipped_directions},
-            {"probed_hits", statistics.probed_hits},
-            {"back_side_hits", statistics.back_side_hits},
-            {"bounce_rays", statistics.bounce_rays}};
+    Json json{{"width", map.image.width},
+              {"height", map.image.height},
+              {"coverage", texels > 0.0 ? static_cast<double>(statistics.covered_texels) / texels : 0.0},
+              {"covered_texels", statistics.covered_texels},
+              {"filled_texels", statistics.filled_texels},
+              {"rays", statistics.rays},
+              {"occluded_rays", statistics.occluded_rays},
+              {"skipped_directions", statistics.skipped_directions},
+              {"probed_hits", statistics.probed_hits},
+              {"back_side_hits", statistics.back_side_hits},
+              {"bounce_rays", statistics.bounce_rays}};
+    if (map.error) {
+        json["error"] = {{"relative_rmse", map.error->relative_rmse},
+                         {"percentile_99", map.error->percentile_99},
+                         {"slope", map.error->slope}};
+        if (map.error->mean_rays > 0.0) {
+            json["error"].update({{"target_reached", map.error->target_reached},
+                                  {"mean_rays", map.error->mean_rays},
+                                  {"best_mean_rays", map.error->best_mean_rays},
+                                  {"uniform_rays", map.error->uniform_rays}});
+        }
+    }
+    return json;
 }
 
 Json make_manifest(const std::string& scene, const Bake& bake, const std::string& command,

@@ -21,6 +21,8 @@ struct WrittenFile {
 /// A light map's file, in the order of Bake::light_maps.
 struct WrittenMap {
     std::string file;
+    std::string error_file;           ///< of the texels' standard errors; empty where there are none
+    std::string rays_file;            ///< of the texels' sample counts; as above
     double intensity = 1.0;           ///< DisplayMap::intensity
     std::uint64_t changed_values = 0; ///< EncodedFile::changed_values
 };

@@ -29,20 +29,39 @@ FileFormat file_format(LightMapFormat format) {
     return {ImageFormat::exr, ".exr"};
 }
 
+constexpr const char* value_attribute = "vkbake:value";
+
 /// What a light map's own file says about where its values come from: nothing that does not change them, so that the
 /// bytes are the same for every accelerator, thread count and folder.
 Attributes provenance(const Bake& bake, const std::string& name) {
     Attributes attributes{{"vkbake:version", version()},
                           {"vkbake:map", name},
-                          {"vkbake:value", bake.settings.mode == Mode::ao ? "visibility" : "irradiance / pi"},
+                          {value_attribute, bake.settings.mode == Mode::ao ? "visibility" : "irradiance / pi"},
                           {"vkbake:sky", bake.sky}};
     const Json settings = settings_json(bake.settings);
-    for (const char* flag : {"mode", "ao-distance", "rays", "sampler", "triangle-test", "seed", "padding"}) {
+    for (const char* flag :
+         {"mode", "ao-distance", "rays", "target-error", "time", "sampler", "triangle-test", "seed", "padding"}) {
         const Json& value = settings.at(flag);
         attributes.emplace_back(std::string("vkbake:") + flag,
                                 value.is_string() ? value.get<std::string>() : value.dump());
     }
     return attributes;
+}
+
+/// A grey picture of one number a texel, with the map's coverage. Not padded: it is read, not sampled.
+template<typename Value>
+std::vector<std::uint8_t> one_value_exr(const Bake& bake, const LightMap& map, const std::string& what,
+                                        const std::vector<Value>& values) {
+    Image image{map.image.width, map.image.height, {}, map.image.coverage};
+    image.texels.reserve(values.size());
+    for (std::size_t texel = 0; texel < values.size(); ++texel) {
+        image.texels.emplace_back(glm::vec3(static_cast<float>(values[texel])), map.image.coverage[texel]);
+    }
+    Attributes attributes = provenance(bake, map.name);
+    std::find_if(attributes.begin(), attributes.end(), [](const auto& entry) {
+        return entry.first == value_attribute;
+    })->second = what;
+    return encode_image(image, ImageFormat::exr, attributes).bytes;
 }
 
 /// A scene's name as a file's name.
@@ -142,12 +161,20 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
             notes.push_back(file + ": " + std::to_string(encoded.changed_values) +
                             " values are outside what the format holds and were clamped; EXR keeps them");
         }
+        WrittenMap entry{.file = file, .changed_values = encoded.changed_values};
+        if (bake.settings.estimate_error && map.error) {
+            entry.error_file = "lightmaps/" + map.name + ".error.exr";
+            entry.rays_file = "lightmaps/" + map.name + ".rays.exr";
+            output.stage(entry.error_file, one_value_exr(bake, map, "standard error of luminance", map.standard_error));
+            output.stage(entry.rays_file, one_value_exr(bake, map, "samples a texel", map.texel_rays));
+        }
         DisplayMap picture;
         if (scene.source) {
             picture = make_display_map(map.name, map.image, bake.settings.mode, poll);
             picture.linear_file = file;
         }
-        written.push_back({file, picture.intensity, encoded.changed_values});
+        entry.intensity = picture.intensity;
+        written.push_back(std::move(entry));
         display.push_back(std::move(picture));
         asking.map_done();
     }

@@ -59,7 +59,7 @@ TEST(Tracer, MapsWithoutATexelAreMaps) {
     const Surface surface = floor_surface();
     const Tracer tracer(surface, constant_sky(1.0F), {});
     int reports = 0;
-    const LightMap map = tracer.trace(floor_texels(surface, 0, 4), [&](double share, std::uint64_t) {
+    const LightMap map = tracer.trace(floor_texels(surface, 0, 4), [&](double share, std::uint64_t, double) {
         EXPECT_EQ(share, 1.0);
         return ++reports > 0;
     });
@@ -76,7 +76,7 @@ TEST(Tracer, ReportsFromTheCallersThreadUpToTheEnd) {
     double last = 0.0;
     std::uint64_t rays = 0;
     const LightMap map = Tracer(surface, constant_sky(1.0F), {})
-                             .trace(floor_texels(surface, 5000, 64), [&](double share, std::uint64_t so_far) {
+                             .trace(floor_texels(surface, 5000, 64), [&](double share, std::uint64_t so_far, double) {
                                  EXPECT_EQ(std::this_thread::get_id(), caller);
                                  EXPECT_GE(share, last);
                                  EXPECT_GE(so_far, rays);
@@ -104,8 +104,9 @@ TEST(Tracer, StopsWhenAsked) {
     const Tracer tracer(surface, constant_sky(1.0F), {});
     const GeometryImage geometry = floor_texels(surface, 5000, 64);
     int reports = 0;
-    EXPECT_EQ(refusal([&] { (void)tracer.trace(geometry, [&](double, std::uint64_t) { return ++reports < 2; }); }),
-              ErrorKind::interrupted);
+    EXPECT_EQ(
+        refusal([&] { (void)tracer.trace(geometry, [&](double, std::uint64_t, double) { return ++reports < 2; }); }),
+        ErrorKind::interrupted);
     EXPECT_EQ(reports, 2);
 }
 

@@ -1,0 +1,147 @@
+#include "bake_options.hpp"
+#include "command.hpp"
+#include "progress_line.hpp"
+#include "text.hpp"
+#include "tradeoff_page.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "vkbake/vkbake.hpp"
+
+namespace vkbake::cli {
+namespace {
+
+struct TradeoffOptions {
+    std::string scene;
+    std::string output;
+    std::string device;
+    LoadSettings load;
+    SkyOptions sky;
+    Settings settings;
+};
+
+/// A quarter of the smallest that is asked for; what it adds to an error is taken off.
+constexpr double reference_error = 0.00125;
+constexpr double recommended_error = 0.01;
+
+/// What is tried: rays for all alike, errors asked for, and the thesis's sampler.
+std::vector<std::pair<std::string, Settings>> sweep(const Settings& given) {
+    std::vector<std::pair<std::string, Settings>> points;
+    for (const std::uint32_t rays : {16U, 64U, 256U, 1024U}) {
+        points.emplace_back(fmt::format("--rays {}", rays), given);
+        points.back().second.rays = rays;
+    }
+    for (const double error : {0.05, 0.02, 0.01, 0.005}) {
+        points.emplace_back(fmt::format("--target-error {}", error), given);
+        points.back().second.target_error = error;
+    }
+    points.emplace_back("--sampler thesis", given);
+    points.back().second.sampler = Sampler::thesis;
+    return points;
+}
+
+TradePoint measured(const std::string& flags, const Bake& bake, const Bake& reference) {
+    TradePoint point{
+        .flags = flags, .adaptive = bake.settings.target_error.has_value(), .error = compare_bakes(bake, reference)};
+    double samples = 0.0;
+    double texels = 0.0;
+    for (const LightMap& map : bake.light_maps) {
+        samples += static_cast<double>(map.statistics.rays + map.statistics.skipped_directions);
+        texels += static_cast<double>(map.statistics.covered_texels);
+        point.seconds += map.statistics.seconds;
+    }
+    point.rays_a_texel = samples / texels;
+    return point;
+}
+
+/// The points that no other beats in both time and error.
+void mark_frontier(std::vector<TradePoint>& points) {
+    for (TradePoint& point : points) {
+        point.on_frontier = std::none_of(points.begin(), points.end(), [&](const TradePoint& other) {
+            return other.seconds < point.seconds && other.error.relative_rmse < point.error.relative_rmse;
+        });
+    }
+}
+
+/// The fastest whose error is that of a picture without visible noise, or else the best.
+std::size_t recommended(const std::vector<TradePoint>& points) {
+    const auto worse = [](const TradePoint& a, const TradePoint& b) {
+        const bool good_a = a.error.relative_rmse <= 1.1 * recommended_error;
+        const bool good_b = b.error.relative_rmse <= 1.1 * recommended_error;
+        if (good_a != good_b) {
+            return good_a;
+        }
+        return good_a ? a.seconds < b.seconds : a.error.relative_rmse < b.error.relative_rmse;
+    };
+    return static_cast<std::size_t>(std::min_element(points.begin(), points.end(), worse) - points.begin());
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream stream(file, std::ios::binary);
+    stream << text;
+    if (!stream.flush()) {
+        throw Error(ErrorKind::output, file.string() + ": cannot be written; choose another folder with -o");
+    }
+}
+
+int run_tradeoff(TradeoffOptions options) {
+    if (options.output.empty()) {
+        options.output = std::filesystem::path(options.scene).stem().string() + "-tradeoff";
+    }
+    const Scene scene = load_scene(options.scene, options.load);
+    const Sky sky = options.sky.load();
+    const Device device = open_device({.name = options.device});
+    ProgressLine line(false);
+    const auto progress = [&line](const ProgressReport& report) { return line.update(report); };
+    Settings settings = options.settings;
+    settings.seed = options.settings.seed + 1;
+    settings.target_error = reference_error;
+    const Bake reference = bake(scene, sky, settings, device, progress);
+    Trade trade{.scene = scene.name, .sky = sky.name, .size = options.settings.size};
+    const DetailPlace place = choose_detail(reference);
+    for (const auto& [flags, tried] : sweep(options.settings)) {
+        const Bake result = bake(scene, sky, tried, device, progress);
+        trade.points.push_back(measured(flags, result, reference));
+        trade.points.back().picture = detail_picture(result, reference, place);
+    }
+    trade.reference_picture = detail_picture(reference, reference, place);
+    mark_frontier(trade.points);
+    trade.recommended = recommended(trade.points);
+    const std::filesystem::path folder = options.output;
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    write_text(folder / "tradeoff.json", trade_json(trade));
+    write_text(folder / "tradeoff.svg", trade_plot(trade));
+    write_text(folder / "tradeoff.html", trade_page(trade));
+    fmt::print("{}", trade_table(trade));
+    fmt::print("recommended: {}\n", trade.points[trade.recommended].flags);
+    for (const char* file : {"tradeoff.html", "tradeoff.svg", "tradeoff.json"}) {
+        fmt::print("  {}\n", (folder / file).string());
+    }
+    return exit_done;
+}
+
+} // namespace
+
+void add_tradeoff_command(CLI::App& app, Invocation& invocation) {
+    const auto options = std::make_shared<TradeoffOptions>();
+    options->settings.size = 256;
+    CLI::App& command =
+        *app.add_subcommand("tradeoff", "Measure what error costs what time on a scene: table and plot");
+    command.add_option("scene", options->scene, "The scene, .gltf or .glb")->required()->type_name("SCENE");
+    command.add_option("-o,--output", options->output, "Folder for the results; without it, SCENE-tradeoff here")
+        ->type_name("DIR");
+    add_load_options(command, options->load);
+    add_sky_options(command, options->sky);
+    add_atlas_options(command, options->settings);
+    command.add_option("--device", options->device, "Part of the Vulkan device's name; see vkbake devices")
+        ->type_name("NAME");
+    command.final_callback([options, &invocation] { invocation.run = [options] { return run_tradeoff(*options); }; });
+}
+
+} // namespace vkbake::cli

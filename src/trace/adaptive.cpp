@@ -1,0 +1,236 @@
+#include "trace/adaptive.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "trace/allocation.hpp"
+
+namespace vkbake {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t pilot_rays = least_estimated_rays;
+constexpr unsigned doublings_a_pass = 2;
+/// So far below the target a pass aims, so that the last ones are few.
+constexpr double aim = 0.985;
+
+double seconds_until(Clock::time_point time) { return std::chrono::duration<double>(time - Clock::now()).count(); }
+
+/// ratio^log₂(rays / pilot_rays): how the variance has fallen since the pilot.
+double fallen(double ratio, std::uint32_t rays) {
+    double result = 1.0;
+    for (std::uint32_t reached = pilot_rays; reached < rays; reached *= 2) {
+        result *= ratio;
+    }
+    return result;
+}
+
+class Adaptive {
+public:
+    Adaptive(SampledMap& map, const Workers& workers, const AdaptiveGoal& goal, const AdaptiveReport& report)
+        : m_map(map), m_workers(workers), m_goal(goal), m_report(report) {
+        for (const TexelTile& tile : map.tiles()) {
+            m_texels += tile.count;
+        }
+    }
+
+    AdaptiveResult run() {
+        take_pilot();
+        while (true) {
+            m_estimate = m_map.estimate();
+            const std::vector<TileNeed> needs = smoothed_needs();
+            const std::vector<TileOrder> orders = m_stopped ? std::vector<TileOrder>() : next_orders(needs);
+            if (orders.empty()) {
+                finish(needs);
+                return m_result;
+            }
+            extend(orders);
+        }
+    }
+
+private:
+    void take_pilot() {
+        std::vector<TileOrder> orders;
+        for (std::size_t tile = 0; tile < m_map.tiles().size(); ++tile) {
+            orders.push_back({static_cast<std::uint32_t>(tile), pilot_rays});
+        }
+        m_foretold = m_texels * pilot_rays * 2.0;
+        extend(orders);
+    }
+
+    void extend(const std::vector<TileOrder>& orders) {
+        const auto start = Clock::now();
+        double samples = 0.0;
+        for (const TileOrder& order : orders) {
+            samples += static_cast<double>(order.rays - m_map.rays(order.tile)) *
+                       static_cast<double>(m_map.tiles()[order.tile].count);
+        }
+        const double before = m_result.samples;
+        const bool first = before == 0.0; // the pilot is taken whole
+        const std::size_t done = m_map.extend(orders, m_workers, [&](std::size_t count) {
+            const double share = orders.empty() ? 1.0 : static_cast<double>(count) / static_cast<double>(orders.size());
+            tell((before + share * samples) / m_foretold);
+            return first || !m_goal.deadline || seconds_until(*m_goal.deadline) > 0.0;
+        });
+        const double share = orders.empty() ? 1.0 : static_cast<double>(done) / static_cast<double>(orders.size());
+        m_result.samples += share * samples;
+        m_samples_a_second = share * samples / std::chrono::duration<double>(Clock::now() - start).count();
+        m_stopped = done < orders.size();
+    }
+
+    void tell(double share) {
+        m_share = std::clamp(share, m_share, 1.0);
+        m_report(m_share, m_estimate.relative_rmse());
+    }
+
+    [[nodiscard]] std::vector<TileNeed> smoothed_needs() const {
+        const std::size_t count = m_map.tiles().size();
+        std::vector<double> at_pilot(count); // mean σ² of a texel, brought back to the pilot's rays
+        double whole = 0.0;
+        double measured = 0.0;
+        for (std::size_t tile = 0; tile < count; ++tile) {
+            const double sum = m_map.tile_variance(tile, m_estimate.ratio);
+            measured += sum;
+            at_pilot[tile] = sum / m_map.tiles()[tile].count / fallen(m_estimate.ratio, m_map.rays(tile));
+            whole += at_pilot[tile] * m_map.tiles()[tile].count / m_texels;
+        }
+        // The map's own estimate goes by the coarse contrasts, which err less on the sum.
+        const double scale = measured > 0.0 ? m_estimate.variance * m_texels / measured : 0.0;
+        std::vector<TileNeed> needs(count);
+        for (std::size_t tile = 0; tile < count; ++tile) {
+            constexpr double of_neighbours = 0.28;
+            constexpr double of_map = 0.02;
+            const double beside =
+                0.5 * (at_pilot[tile > 0 ? tile - 1 : tile] + at_pilot[std::min(tile + 1, count - 1)]);
+            const double mean =
+                (1.0 - of_neighbours - of_map) * at_pilot[tile] + of_neighbours * beside + of_map * whole;
+            const std::uint32_t texels = m_map.tiles()[tile].count;
+            needs[tile] = {texels, m_map.rays(tile),
+                           scale * mean * texels * fallen(m_estimate.ratio, m_map.rays(tile))};
+        }
+        return needs;
+    }
+
+    /// Empty where the goal is reached, or out of reach.
+    [[nodiscard]] std::vector<TileOrder> next_orders(const std::vector<TileNeed>& needs) {
+        if (m_goal.deadline) {
+            return orders_in_time(needs);
+        }
+        const double target = *m_goal.error * m_estimate.mean;
+        Allocation allocation{.doublings = std::vector<std::uint8_t>(needs.size(), 0)};
+        if (m_estimate.relative_rmse() > *m_goal.error) {
+            double sum = 0.0; // what the smoothed needs say of the map as it is
+            for (const TileNeed& need : needs) {
+                sum += need.variance;
+            }
+            const double factor = aim * target * aim * target / m_estimate.variance;
+            allocation = allocate_for_variance(needs, m_estimate.ratio, factor * sum);
+        }
+        // Before the end, so that what it takes from the error counts for the others.
+        constexpr double near_the_end = 1.5;
+        if (m_estimate.relative_rmse() < near_the_end * *m_goal.error) {
+            double_worst(needs, worst_factor * target, allocation);
+        }
+        return orders_of(allocation);
+    }
+
+    [[nodiscard]] std::vector<TileOrder> orders_in_time(const std::vector<TileNeed>& needs) {
+        if (m_goal.error && m_estimate.relative_rmse() <= *m_goal.error) {
+            return {};
+        }
+        const double samples = seconds_until(*m_goal.deadline) * m_samples_a_second;
+        // Less than this would not pay for its own deciding.
+        constexpr double worthwhile = 0.01;
+        if (samples < worthwhile * m_result.samples) {
+            return {};
+        }
+        return orders_of(allocate_for_samples(needs, m_estimate.ratio, samples));
+    }
+
+    [[nodiscard]] std::vector<TileOrder> orders_of(const Allocation& allocation) {
+        m_foretold = m_result.samples + allocation.samples;
+        std::vector<TileOrder> orders;
+        for (std::size_t tile = 0; tile < allocation.doublings.size(); ++tile) {
+            const unsigned doublings = std::min<unsigned>(allocation.doublings[tile], doublings_a_pass);
+            if (doublings > 0) {
+                orders.push_back({static_cast<std::uint32_t>(tile), m_map.rays(tile) << doublings});
+            }
+        }
+        return orders;
+    }
+
+    /// Of the tiles whose texels err by more than `limit`, doubles the least bad, until the others are no more than the
+    /// share allowed.
+    void double_worst(const std::vector<TileNeed>& needs, double limit, Allocation& allocation) const {
+        std::vector<std::pair<double, std::size_t>> worst;
+        double texels = 0.0;
+        for (std::size_t tile = 0; tile < needs.size(); ++tile) {
+            const double square = needs[tile].variance / needs[tile].texels;
+            if (square > limit * limit && needs[tile].rays < most_rays) {
+                worst.emplace_back(square, tile);
+                texels += needs[tile].texels;
+            }
+        }
+        std::sort(worst.begin(), worst.end());
+        for (const auto& [square, tile] : worst) {
+            if (texels <= worst_share * m_texels) {
+                break;
+            }
+            allocation.doublings[tile] = std::max<std::uint8_t>(allocation.doublings[tile], 1);
+            texels -= needs[tile].texels;
+        }
+    }
+
+    void finish(const std::vector<TileNeed>& needs) {
+        m_result.reached = !m_goal.error || m_estimate.relative_rmse() <= *m_goal.error;
+        std::vector<TileNeed> fresh = needs;
+        double sum = 0.0;
+        double at_pilot = 0.0;
+        for (TileNeed& need : fresh) {
+            sum += need.variance;
+            need.variance /= fallen(m_estimate.ratio, need.rays);
+            need.rays = pilot_rays;
+            at_pilot += need.variance;
+        }
+        m_result.best_samples = m_texels * pilot_rays + allocate_for_variance(fresh, m_estimate.ratio, sum).samples;
+        m_result.uniform = uniform_rays(at_pilot, sum);
+    }
+
+    /// So many rays a texel bring the variance from what the pilot left to `wanted`; 1 / σ² taken for straight between
+    /// two powers of two.
+    [[nodiscard]] std::uint64_t uniform_rays(double at_pilot, double wanted) const {
+        std::uint64_t rays = pilot_rays;
+        double variance = at_pilot;
+        while (variance * m_estimate.ratio > wanted && wanted > 0.0) {
+            variance *= m_estimate.ratio;
+            rays *= 2;
+        }
+        const double share = wanted > 0.0 ? (variance / wanted - 1.0) / (1.0 / m_estimate.ratio - 1.0) : 0.0;
+        return rays + static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(rays));
+    }
+
+    SampledMap& m_map;
+    const Workers& m_workers;
+    const AdaptiveGoal& m_goal;
+    const AdaptiveReport& m_report;
+    MapEstimate m_estimate;
+    AdaptiveResult m_result;
+    bool m_stopped = false; ///< by the deadline
+    double m_texels = 0.0;
+    double m_foretold = 1.0; ///< samples over all
+    double m_samples_a_second = 0.0;
+    double m_share = 0.0;
+};
+
+} // namespace
+
+AdaptiveResult sample_adaptively(SampledMap& map, const Workers& workers, const AdaptiveGoal& goal,
+                                 const AdaptiveReport& report) {
+    return Adaptive(map, workers, goal, report).run();
+}
+
+} // namespace vkbake

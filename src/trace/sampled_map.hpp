@@ -1,0 +1,91 @@
+// A map whose texels know how well they are known.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "trace/contrasts.hpp"
+#include "trace/texel_tiles.hpp"
+#include "trace/tile_tracer.hpp"
+#include "vkbake/lightmap.hpp"
+
+namespace vkbake {
+
+/// One a worker, each for itself in memory: what they write while tracing shares no cache line.
+using Workers = std::vector<std::unique_ptr<TileTracer>>;
+
+[[nodiscard]] RayCounts sum_of(const Workers& workers);
+
+/// The error of a whole map, of what was sampled so far.
+struct MapEstimate {
+    double mean = 0.0;     ///< luminance over the texels
+    double variance = 0.0; ///< mean square error of luminance over the texels
+    double ratio = 0.0;    ///< FallOfVariance::ratio
+
+    /// Root of the mean square error over the mean; 0 where there is no error.
+    [[nodiscard]] double relative_rmse() const;
+};
+
+/// Which tile gets samples up to how many.
+struct TileOrder {
+    std::uint32_t tile = 0;
+    std::uint32_t rays = 0; ///< a texel, more than it has
+};
+
+/// The samples of all texels of a map, tile by tile: those of a tile have the same number. Values and estimates depend
+/// on those numbers alone, and not on the steps in which they were reached, but for the rounding of sums.
+class SampledMap {
+public:
+    /// The tiles must outlive it. `intensity` multiplies all that is seen. `settings`: sampler cosine.
+    SampledMap(std::span<const TexelTile> tiles, const Settings& settings, float max_distance, double intensity);
+
+    /// Traces what is ordered: a power of two, ≥ 16 rays, in all steps of a tile but the last. Returns how many orders
+    /// were carried out: all, unless `report` (as of TileLoop) returned false.
+    std::size_t extend(std::span<const TileOrder> orders, const Workers& workers,
+                       const std::function<bool(std::size_t done)>& report);
+
+    [[nodiscard]] std::span<const TexelTile> tiles() const { return m_tiles; }
+    [[nodiscard]] std::size_t texel_count() const { return m_records.size(); }
+    [[nodiscard]] std::uint32_t rays(std::size_t tile) const { return m_rays[tile]; } ///< a texel
+
+    [[nodiscard]] MapEstimate estimate() const;
+    /// Σ σ² over a tile's texels, luminance.
+    [[nodiscard]] double tile_variance(std::size_t tile, double ratio) const;
+    /// Sets colours, coverage, rays and standard errors of the texels and the error of the map.
+    void write_to(LightMap& map) const;
+
+private:
+    struct Record {
+        glm::dvec3 sum{0.0};
+        std::array<float, part_count> parts{};
+        std::uint32_t open = 0;
+        std::uint32_t blocked = 0;
+    };
+
+    /// Adds what a worker has just traced.
+    void add(std::size_t slot, std::size_t lane, const glm::dvec3& sum, const LaneParts& parts, std::uint32_t had,
+             std::uint32_t has);
+    /// Calls visit(texel, record, rays) in the tiles' order.
+    template<typename Visit>
+    void each_texel(const Visit& visit) const;
+    /// Of the brightest texel.
+    [[nodiscard]] double greatest_luminance() const;
+    [[nodiscard]] double standard_error(const Record& record, std::uint32_t rays, double ratio, double greatest) const;
+
+    std::span<const TexelTile> m_tiles;
+    Settings m_settings;
+    float m_max_distance;
+    double m_intensity;
+    std::vector<std::uint32_t> m_first_slot; ///< of each tile, in m_records
+    std::vector<std::uint32_t> m_rays;       ///< of each tile
+    std::vector<Record> m_records;
+};
+
+} // namespace vkbake

@@ -1,0 +1,64 @@
+// What the user says of accuracy, and what he is told of it.
+#include "fixture.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "vkbake/vkbake.hpp"
+
+namespace vkbake::test {
+namespace {
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST_F(Cli, GivesTheErrorThatIsAskedForAndWritesIt) {
+    const Outcome outcome = run_vkbake({"bake", scene("test/corner.glb"), "-o", in_folder("out"), "--size", "32",
+                                        "--target-error", "0.05", "--error-map"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find("rays a texel"), std::string::npos) << outcome.out;
+    const Image errors = read_image(m_folder / "out/lightmaps/lightmap.error.exr");
+    const Image rays = read_image(m_folder / "out/lightmaps/lightmap.rays.exr");
+    ASSERT_EQ(errors.texels.size(), 32U * 32U);
+    for (std::size_t i = 0; i < errors.texels.size(); ++i) {
+        EXPECT_EQ(rays.texels[i].x >= 16.0F, rays.coverage[i] == 1.0F);
+        EXPECT_EQ(errors.texels[i].x > 0.0F, rays.coverage[i] == 1.0F);
+    }
+    const std::string manifest = text_of(m_folder / "out/manifest.json");
+    for (const char* key :
+         {"\"target-error\": 0.05", "\"relative_rmse\"", "\"target_reached\": true", "lightmap.error.exr"}) {
+        EXPECT_NE(manifest.find(key), std::string::npos) << key;
+    }
+}
+
+TEST_F(Cli, RefusesWhatContradictsAnErrorEstimate) {
+    for (const std::vector<std::string>& flags :
+         std::vector<std::vector<std::string>>{{"--target-error", "0"},
+                                               {"--target-error", "0.01", "--sampler", "thesis"},
+                                               {"--error-map", "--rays", "15"},
+                                               {"--time", "5", "--bounces", "1"},
+                                               {"--quality", "best"}}) {
+        std::vector<std::string> arguments{"bake", scene("test/plane.glb")};
+        arguments.insert(arguments.end(), flags.begin(), flags.end());
+        const Outcome outcome = run_vkbake(arguments, {.directory = m_folder.string()});
+        EXPECT_EQ(outcome.status, 2) << flags[0];
+        EXPECT_TRUE(one_line(outcome.error)) << outcome.error;
+    }
+}
+
+TEST_F(Cli, ShowsTheTrade) {
+    const Outcome outcome =
+        run_vkbake({"tradeoff", scene("test/plane.glb"), "-o", in_folder("trade"), "--size", "8", "--sky", "clear"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find("recommended: --"), std::string::npos) << outcome.out;
+    const std::string page = text_of(m_folder / "trade/tradeoff.html");
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+    EXPECT_NE(page.find("data:image/bmp;base64,"), std::string::npos);
+    EXPECT_EQ(page.find("src='http"), std::string::npos); // it needs no network
+    EXPECT_FALSE(text_of(m_folder / "trade/tradeoff.json").empty());
+}
+
+} // namespace
+} // namespace vkbake::test

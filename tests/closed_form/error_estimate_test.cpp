@@ -1,0 +1,224 @@
+// What a map says of its own error, held against the truth.
+#include "configuration_factors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hand_made.hpp"
+#include "trace/contrasts.hpp"
+#include "trace/tracer.hpp"
+
+namespace vkbake {
+namespace {
+
+constexpr int roof_side = 64; // texels
+
+/// A floor under a square roof at height 0.1 that is turned, so that its borders lie askew to all strata: beneath its
+/// middle nearly all of the sky is hidden, beside it nearly none.
+struct Roof {
+    Surface surface;
+    std::vector<test::SamplePoint> points;
+    std::vector<double> visible;
+
+    Roof() {
+        test::SurfaceMaker maker;
+        const std::uint32_t floor =
+            maker.add_quad({-0.9F, 0, 0.9F}, {0.9F, 0, 0.9F}, {0.9F, 0, -0.9F}, {-0.9F, 0, -0.9F});
+        constexpr double half = 0.5;
+        constexpr double height = 0.1;
+        const glm::dvec2 along(std::cos(0.5), std::sin(0.5)); // the roof's own axes
+        const glm::dvec2 across(-along.y, along.x);
+        const auto corner = [&](double u, double v) {
+            const glm::dvec2 place = u * along + v * across;
+            return glm::vec3(place.x, height, place.y);
+        };
+        maker.add_quad(corner(-half, half), corner(half, half), corner(half, -half), corner(-half, -half));
+        surface = maker.finish();
+        for (int row = 0; row < roof_side; ++row) {
+            for (int column = 0; column < roof_side; ++column) {
+                // From the roof's middle to beyond its border: texels in each tenth of visibility.
+                const double u = 0.3 + 0.5 * (column + 0.3) / roof_side;
+                const double v = -0.5 + 1.1 * (row + 0.6) / roof_side;
+                const glm::dvec2 place = u * along + v * across;
+                points.push_back({glm::vec3(place.x, 0.0, place.y), {0, 1, 0}, {0, 1, 0}, floor});
+                // The factor to a rectangle with a corner overhead is odd in both sides, so four of them add up to any.
+                const auto factor = [&](double at_u, double at_v) {
+                    return test::element_to_parallel_rectangle(at_u - u, at_v - v, height);
+                };
+                visible.push_back(1.0 - factor(half, half) + factor(-half, half) + factor(half, -half) -
+                                  factor(-half, -half));
+            }
+        }
+    }
+
+    [[nodiscard]] LightMap trace(const Settings& settings) const {
+        return Tracer(surface, test::white_sky(), settings).trace(test::geometry_image(points, roof_side));
+    }
+    [[nodiscard]] double mean() const {
+        double sum = 0.0;
+        for (const double value : visible) {
+            sum += value / static_cast<double>(visible.size());
+        }
+        return sum;
+    }
+};
+
+struct Errors {
+    double relative_rmse = 0.0;
+    double bias = 0.0; ///< relative
+};
+
+Errors errors_of(const LightMap& map, const Roof& roof) {
+    double squares = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < roof.visible.size(); ++i) {
+        const double off = static_cast<double>(map.image.texels[i].x) - roof.visible[i];
+        squares += off * off;
+        sum += off;
+    }
+    const auto count = static_cast<double>(roof.visible.size());
+    return {std::sqrt(squares / count) / roof.mean(), sum / count / roof.mean()};
+}
+
+/// By tenth of true visibility, how many texels there were and how many had the truth in their interval.
+struct Tally {
+    std::array<int, 10> texels{};
+    std::array<int, 10> right{};
+
+    void add(const LightMap& map, const Roof& roof) {
+        for (std::size_t i = 0; i < roof.visible.size(); ++i) {
+            if (roof.visible[i] < 0.02 || roof.visible[i] > 0.98) {
+                continue;
+            }
+            const auto tenth = static_cast<std::size_t>(10.0 * roof.visible[i]);
+            const double off = std::abs(static_cast<double>(map.image.texels[i].x) - roof.visible[i]);
+            ++texels[tenth];
+            right[tenth] += off <= interval_95 * static_cast<double>(map.standard_error[i]) ? 1 : 0;
+        }
+    }
+    [[nodiscard]] double share(std::size_t tenth) const {
+        return static_cast<double>(right[tenth]) / static_cast<double>(texels[tenth]);
+    }
+};
+
+TEST(ErrorEstimate, IntervalsHoldTheTruthInEachTenthOfVisibility) {
+    const Roof roof;
+    for (const std::uint32_t rays : {100U, 256U}) {
+        Tally tally;
+        for (std::uint64_t seed = 0; seed < 4; ++seed) {
+            Settings settings;
+            settings.rays = rays;
+            settings.seed = seed;
+            settings.estimate_error = true;
+            tally.add(roof.trace(settings), roof);
+        }
+        for (std::size_t tenth = 0; tenth < 10; ++tenth) {
+            ASSERT_GT(tally.texels[tenth], 500);
+            EXPECT_GE(tally.share(tenth), 0.93) << rays << " rays, tenth " << tenth;
+            EXPECT_LE(tally.share(tenth), 0.97) << rays << " rays, tenth " << tenth;
+        }
+    }
+}
+
+TEST(ErrorEstimate, TellsTheMapsErrorToATenth) {
+    const Roof roof;
+    for (const std::uint32_t rays : {64U, 100U, 512U}) {
+        Settings settings;
+        settings.rays = rays;
+        settings.estimate_error = true;
+        const LightMap map = roof.trace(settings);
+        EXPECT_NEAR(map.error->relative_rmse / errors_of(map, roof).relative_rmse, 1.0, 0.1) << rays;
+        // A straight border: in theory −¾.
+        EXPECT_NEAR(map.error->slope, -0.75, 0.08) << rays;
+        settings.estimate_error = false;
+        const LightMap plain = roof.trace(settings);
+        EXPECT_FALSE(plain.error.has_value());
+        EXPECT_TRUE(plain.standard_error.empty());
+        for (std::size_t i = 0; i < map.image.texels.size(); ++i) {
+            ASSERT_NEAR(map.image.texels[i].x, plain.image.texels[i].x, 1e-6); // the same samples
+        }
+        EXPECT_EQ(map.statistics.rays, plain.statistics.rays);
+        EXPECT_EQ(map.statistics.probed_hits, plain.statistics.probed_hits);
+    }
+}
+
+TEST(ErrorEstimate, IsNeverBelowWhatNoHitAllows) {
+    test::SurfaceMaker maker;
+    maker.add_quad({-0.9F, 0, 0.9F}, {0.9F, 0, 0.9F}, {0.9F, 0, -0.9F}, {-0.9F, 0, -0.9F});
+    const Surface surface = maker.finish();
+    Settings settings;
+    settings.rays = 64;
+    settings.estimate_error = true;
+    const std::vector<test::SamplePoint> points(20, test::point_on(surface, 0, {0.4, 0.3, 0.3}));
+    const LightMap map = Tracer(surface, test::white_sky(), settings).trace(test::geometry_image(points, 8));
+    for (std::size_t i = 0; i < map.standard_error.size(); ++i) {
+        EXPECT_NEAR(interval_95 * static_cast<double>(map.standard_error[i]), i < 20 ? 3.0 / 64.0 : 0.0, 1e-6);
+        EXPECT_EQ(map.texel_rays[i], i < 20 ? 64U : 0U);
+    }
+    EXPECT_EQ(map.error->relative_rmse, 0.0);
+}
+
+TEST(TargetError, IsWhatTheMapHas) {
+    const Roof roof;
+    for (const double target : {0.02, 0.01, 0.005}) {
+        Tally tally;
+        double bias = 0.0;
+        for (std::uint64_t seed = 0; seed < 2; ++seed) {
+            Settings settings;
+            settings.seed = seed;
+            settings.target_error = target;
+            const LightMap map = roof.trace(settings);
+            const Errors errors = errors_of(map, roof);
+            EXPECT_GT(errors.relative_rmse, 0.9 * target);
+            EXPECT_LT(errors.relative_rmse, 1.1 * target);
+            EXPECT_TRUE(map.error->target_reached);
+            tally.add(map, roof);
+            bias += errors.bias / 2.0;
+        }
+        for (std::size_t tenth = 0; tenth < 10; ++tenth) {
+            EXPECT_GE(tally.share(tenth), 0.93) << target << ", tenth " << tenth;
+        }
+        EXPECT_LT(std::abs(bias), 0.1 * target); // the mean of 8192 texels errs by a ninetieth of it by chance
+    }
+}
+
+TEST(TargetError, GivesEachTexelTheFirstSamplesOfItsSequence) {
+    const Roof roof;
+    Settings settings;
+    settings.target_error = 0.01;
+    const LightMap map = roof.trace(settings);
+    std::vector<std::uint32_t> counts = map.texel_rays;
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    ASSERT_GE(counts.size(), 2U);
+    settings.target_error.reset();
+    for (const std::uint32_t count : counts) {
+        settings.rays = count;
+        const LightMap plain = roof.trace(settings);
+        for (std::size_t i = 0; i < map.texel_rays.size(); ++i) {
+            if (map.texel_rays[i] == count) {
+                ASSERT_NEAR(map.image.texels[i].x, plain.image.texels[i].x, 1e-6) << count << " rays, texel " << i;
+            }
+        }
+    }
+}
+
+TEST(TargetError, GivesTheSameBitsOnAnyNumberOfThreads) {
+    const Roof roof;
+    Settings settings;
+    settings.target_error = 0.015;
+    settings.threads = 1;
+    const LightMap one = roof.trace(settings);
+    settings.threads = 0;
+    const LightMap all = roof.trace(settings);
+    EXPECT_EQ(one.image.texels, all.image.texels);
+    EXPECT_EQ(one.standard_error, all.standard_error);
+    EXPECT_EQ(one.texel_rays, all.texel_rays);
+}
+
+} // namespace
+} // namespace vkbake
