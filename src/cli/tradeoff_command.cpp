@@ -25,8 +25,7 @@ struct TradeoffOptions {
     Settings settings;
 };
 
-/// A quarter of the smallest that is asked for; what it adds to an error is taken off.
-constexpr double reference_error = 0.00125;
+constexpr double reference_error = 0.0005; ///< a tenth of the smallest that is asked for
 constexpr double recommended_error = 0.01;
 
 /// What is tried: rays for all alike, errors asked for, and the thesis's sampler.

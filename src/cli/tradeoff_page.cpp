@@ -203,7 +203,7 @@ std::string trade_page(const Trade& trade) {
         "<title>{0}: speed for accuracy</title><style>{1}</style>\n"
         "<h1>{0}: speed for accuracy</h1>\n<p>Light maps of {2} × {2} texels under the sky <code>{3}</code>, measured "
         "against a "
-        "bake of 0.125 % error and another seed.</p>\n{4}<p>Blue: the same rays for every texel; orange: rays where "
+        "bake of 0.05 % error and another seed.</p>\n{4}<p>Blue: the same rays for every texel; orange: rays where "
         "they are "
         "needed. Dashed: the frontier, nothing that was tried is faster and better.</p>\n"
         "<table><thead><tr><th></th><th>rays a texel</th><th>seconds</th><th>RMSE %</th><th>99th %</th><th>max %</th>"
