@@ -121,8 +121,22 @@ PreviewImages decode(const Scene& scene, bool light_only) {
     return images;
 }
 
+/// Squares of 4 × 4 texels; what was baked or filled is no matter.
+void draw_checker(Image& light_map) {
+    for (int y = 0; y < light_map.height; ++y) {
+        for (int x = 0; x < light_map.width; ++x) {
+            const float light = (x / 4 + y / 4) % 2 == 0 ? 1.0F : 0.25F;
+            light_map.texels[light_map.index(x, y)] = glm::vec4(light, light, light, 1.0F);
+        }
+    }
+}
+
 Image draw(const Scene& baked, const Sky& sky, const RenderSettings& settings, const Device& device) {
-    const PreviewImages images = decode(baked, settings.light_only);
+    const bool light_only = settings.light_only || settings.checker;
+    PreviewImages images = decode(baked, light_only);
+    if (settings.checker) {
+        std::ranges::for_each(images.light_maps, draw_checker);
+    }
     const double aspect = static_cast<double>(std::max(settings.width, 1)) / std::max(settings.height, 1);
     const Camera camera = settings.view ? *settings.view : choose_camera(baked, settings.camera, aspect);
     PreviewSky radiance;
@@ -132,7 +146,7 @@ Image draw(const Scene& baked, const Sky& sky, const RenderSettings& settings, c
     }
     const PreviewSettings preview{.width = settings.width,
                                   .height = settings.height,
-                                  .light_only = settings.light_only,
+                                  .light_only = light_only,
                                   .exposure = std::exp2(settings.exposure),
                                   .metered = true};
     return draw_preview(device.context(), baked, images, camera, radiance, preview);

@@ -15,7 +15,33 @@ Json map_json(const LightMap& map) {
     return json;
 }
 
+Json uv_figures_json(const UvFiguresOfObject& figures) {
+    return {{"name", figures.name},
+            {"triangles", figures.triangles},
+            {"charts", figures.charts},
+            {"texels", figures.texels},
+            {"stretch", figures.stretch},
+            {"overlapping", figures.overlapping},
+            {"mirrored", figures.mirrored},
+            {"density_min", figures.density_min},
+            {"density_median", figures.density_median},
+            {"density_max", figures.density_max}};
+}
+
 } // namespace
+
+std::string to_json(const UvReport& report) {
+    Json json = {{"share", report.share}, {"all", uv_figures_json(report.all)}, {"notes", report.atlas.notes}};
+    json["objects"] = Json::array();
+    for (const UvFiguresOfObject& object : report.objects) {
+        json["objects"].push_back(uv_figures_json(object));
+    }
+    json["pages"] = Json::array();
+    for (const AtlasPage& page : report.atlas.pages) {
+        json["pages"].push_back({{"name", page.name}, {"width", page.width}, {"height", page.height}});
+    }
+    return json.dump(2);
+}
 
 std::string to_json(const Inspection& inspection) {
     Json plan = Json::array();

@@ -17,8 +17,9 @@ struct RenderSettings {
     std::string camera; ///< a camera's name; empty: the scene's first, or a view of the whole scene where it has none
     std::optional<Camera> view; ///< stands above `camera` where set
     bool light_only = false;    ///< the light maps on grey surfaces
-    double exposure = 0.0;      ///< stops, on top of the metered exposure
-    bool show_sky = true;       ///< behind the scene; black otherwise
+    bool checker = false; ///< in place of light, a checker of the light maps' texels, 4 × 4 a square, on grey surfaces
+    double exposure = 0.0; ///< stops, on top of the metered exposure
+    bool show_sky = true;  ///< behind the scene; black otherwise
 };
 
 /// Draws a scene that was loaded from what write_bake wrote: base colour × light map + emission. A light map is its EXR

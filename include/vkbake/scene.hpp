@@ -82,6 +82,7 @@ struct Instance {
     std::uint32_t mesh = 0; ///< index in Scene::meshes
     glm::dmat3 linear{1.0}; ///< rotation, scale, shear; a negative determinant turns the winding
     glm::dvec3 translation{0.0};
+    double density = 1.0; ///< light-map texels along a metre, as a multiple of what other objects get; finite, > 0
     std::uint32_t source_node = 0; ///< index in the source document's nodes
 };
 

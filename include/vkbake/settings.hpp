@@ -23,11 +23,11 @@ enum class TriangleTest : std::uint8_t { watertight, moller_trumbore };
 
 struct Settings {
     // Atlas
-    int size = 1024;               ///< side of a page or an object's map, texels; 1 … 16384
+    int size = 1024; ///< side of a page or an object's map, texels; 1 … 16384, or 0: the least that `density` allows
     std::optional<double> density; ///< texels per metre, > 0; absent: the largest that fits one page
     Layout layout = Layout::atlas;
     UvSource uv = UvSource::automatic;
-    ChartMaker charts = ChartMaker::polypack; ///< how they are made where UVs are
+    ChartMaker charts = ChartMaker::grown; ///< how they are made where UVs are
     double stretch = 1.01; ///< charts `grown`: L2 stretch that a chart may have, 1 being none; 1.0001 … 2
     int gutter = 2;        ///< empty texels between charts that are made; 0 … 64
     int max_pages = 16;    ///< ≥ 1

@@ -16,6 +16,7 @@
 #include "vkbake/scene.hpp"
 #include "vkbake/settings.hpp"
 #include "vkbake/sky.hpp"
+#include "vkbake/uv_report.hpp"
 
 namespace vkbake {
 

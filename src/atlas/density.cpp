@@ -4,83 +4,149 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.hpp"
+
 namespace vkbake {
 
 namespace {
 
-glm::dvec2 extent_of(const Chart& chart) { return (chart.upper - chart.lower) * chart.scale; }
+constexpr double full = 0.85; // of a page: what an average atlas takes
 
-/// The longest side of any chart's box, in bake-frame units.
-double longest_side(std::span<const Chart> charts) {
-    double longest = 0.0;
-    for (const Chart& chart : charts) {
-        const glm::dvec2 extent = extent_of(chart);
-        longest = std::max({longest, extent.x, extent.y});
-    }
-    return longest;
-}
-
-/// A density at which every chart has one texel.
-double least_density(double longest) { return longest > 0.0 ? 0.5 / longest : 1.0; }
+/// Halves the interval of the logarithm (deterministic: the root is correctly rounded) between what fits and what does
+/// not.
+double middle_of(double a, double b) { return std::sqrt(a) * std::sqrt(b); }
 
 } // namespace
 
-TexelSize texels_of(const Chart& chart, double density) {
-    // More than any page has: enough to be refused, and sums of it stay far from overflow.
-    constexpr double too_long = 2.0 * greatest_side;
-    const auto texels = [&](double extent) {
-        return static_cast<int>(std::clamp(std::ceil(extent * density + 0.5), 1.0, too_long));
-    };
-    const glm::dvec2 extent = extent_of(chart);
-    return {texels(extent.x), texels(extent.y)};
+ChartPacker::ChartPacker(std::span<const Chart> charts, std::span<const glm::vec2> flat)
+    : m_charts(charts), m_flat(flat) {
+    for (const Chart& chart : charts) {
+        const glm::dvec2 extent = (chart.upper - chart.lower) * chart.scale;
+        m_longest = std::max({m_longest, extent.x, extent.y});
+        m_perimeter += 2.0 * (extent.x + extent.y);
+        for (const std::uint32_t triangle : chart.triangles) {
+            const glm::vec2* const t = &flat[3 * std::size_t{triangle}];
+            const glm::dvec2 e = glm::dvec2(t[1]) - glm::dvec2(t[0]);
+            const glm::dvec2 f = glm::dvec2(t[2]) - glm::dvec2(t[0]);
+            m_area += 0.5 * std::abs(e.x * f.y - e.y * f.x) * chart.scale * chart.scale;
+        }
+    }
 }
 
-std::optional<Packing> pack_at(std::span<const Chart> charts, double density, const PageSettings& settings) {
-    std::vector<TexelSize> rectangles(charts.size());
-    std::transform(charts.begin(), charts.end(), rectangles.begin(),
-                   [density](const Chart& chart) { return texels_of(chart, density); });
-    auto placements = pack(rectangles, settings);
+double ChartPacker::foretold_area(double density, int gutter) const {
+    const double strip = 0.5 * (gutter + 1.0);
+    return (m_area * density * density + m_perimeter * density * strip +
+            4.0 * strip * strip * static_cast<double>(m_charts.size())) /
+           full;
+}
+
+std::optional<Packing> ChartPacker::at(double density, const PageSettings& settings) const {
+    if (!(m_longest * density < settings.side + 1.0)) {
+        return std::nullopt;
+    }
+    Packing packing{.density = density, .side = settings.side};
+    packing.layouts.resize(m_charts.size());
+    std::vector<ChartShape> shapes(m_charts.size());
+    parallel_ranges(m_charts.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            packing.layouts[i] = lay_out(m_charts[i], m_flat, density);
+            shapes[i] = shape_of(m_charts[i], m_flat, packing.layouts[i]);
+        }
+    });
+    auto placements = pack(shapes, settings);
     if (!placements) {
         return std::nullopt;
     }
-    Packing packing{density, std::move(*placements), 0};
+    packing.placements = std::move(*placements);
     for (const Placement& placement : packing.placements) {
         packing.page_count = std::max(packing.page_count, placement.page + 1);
     }
     return packing;
 }
 
-std::optional<Packing> pack_densest(std::span<const Chart> charts, const PageSettings& settings) {
-    const double longest = longest_side(charts);
-    double low = least_density(longest);
-    auto best = pack_at(charts, low, settings);
-    if (!best || !(longest > 0.0)) {
+std::optional<Packing> ChartPacker::densest(const PageSettings& settings) const {
+    // At the least density every chart has one texel.
+    const double least = m_longest > 0.0 ? 0.5 / m_longest : 1.0;
+    auto best = at(least, settings);
+    if (!best || !(m_longest > 0.0)) {
         return best;
     }
     PageSettings pages = settings;
     pages.max_pages = static_cast<int>(best->page_count);
-    // The longest chart does not fit above this. Halving the interval of the logarithm is deterministic: the root is
-    // correctly rounded.
-    double high = 2.0 * settings.side / longest;
-    while (high > low * (1.0 + 0x1p-12)) {
-        const double middle = std::sqrt(low) * std::sqrt(high);
-        if (auto packing = pack_at(charts, middle, pages)) {
+    double low = least;
+    double high = 2.0 * settings.side / m_longest; // the longest chart does not fit
+    const auto try_at = [&](double density) {
+        if (auto packing = at(density, pages)) {
             best = std::move(packing);
-            low = middle;
-        } else {
-            high = middle;
+            low = density;
+            return true;
         }
+        high = density;
+        return false;
+    };
+    // The density at which the area foretold is the pages': the positive root.
+    const double room = static_cast<double>(settings.side) * settings.side * pages.max_pages;
+    double guess_low = low;
+    double guess_high = high;
+    for (int step = 0; step < 40; ++step) {
+        const double middle = middle_of(guess_low, guess_high);
+        (foretold_area(middle, settings.gutter) <= room ? guess_low : guess_high) = middle;
+    }
+    constexpr double stride = 1.08;
+    if (guess_low > low && guess_low < high) {
+        double next = guess_low;
+        if (try_at(next)) {
+            while ((next *= stride) < high && try_at(next)) {
+            }
+        } else {
+            while ((next /= stride) > low && !try_at(next)) {
+            }
+        }
+    }
+    const double enough = m_charts.size() <= 64 ? 1.0 + 0x1p-12 : m_charts.size() <= 1024 ? 1.006 : 1.012;
+    while (high > low * enough) {
+        (void)try_at(middle_of(low, high));
     }
     return best;
 }
 
-std::optional<int> side_that_fits(std::span<const Chart> charts, std::optional<double> density,
-                                  const PageSettings& settings) {
-    const double tried = density ? *density : least_density(longest_side(charts));
+std::optional<Packing> ChartPacker::least_page(double density, int gutter) const {
+    std::optional<Packing> best;
+    const int least = static_cast<int>(std::clamp(std::floor(m_longest * density), 1.0, double{greatest_side}));
+    int low = least - 1; // does not fit
+    int high = greatest_side + 1;
+    const auto try_at = [&](int side) {
+        if (auto packing = at(density, {side, gutter, 1})) {
+            best = std::move(packing);
+            high = side;
+            return true;
+        }
+        low = side;
+        return false;
+    };
+    int next = static_cast<int>(
+        std::clamp(std::sqrt(foretold_area(density, gutter)), static_cast<double>(least), double{greatest_side}));
+    const auto stride = [](int side) { return side / 16 + 1; };
+    if (try_at(next)) {
+        while ((next -= stride(next)) > low && try_at(next)) {
+        }
+    } else {
+        while ((next = std::min(next + stride(next), greatest_side)) < high && !try_at(next) && next < greatest_side) {
+        }
+    }
+    const int enough = m_charts.size() <= 64 ? 0 : high / 192;
+    while (best && high - low > 1 + enough) {
+        (void)try_at(low + (high - low) / 2);
+    }
+    return best;
+}
+
+std::optional<int> ChartPacker::side_that_fits(std::optional<double> density, const PageSettings& settings) const {
+    const double tried = density ? *density : m_longest > 0.0 ? 0.5 / m_longest : 1.0;
     const auto fits = [&](int side) {
         PageSettings pages = settings;
         pages.side = side;
-        return pack_at(charts, tried, pages).has_value();
+        return at(tried, pages).has_value();
     };
     int too_small = settings.side;
     int enough = settings.side;
@@ -91,7 +157,7 @@ std::optional<int> side_that_fits(std::span<const Chart> charts, std::optional<d
         too_small = enough;
         enough = std::min(2 * enough, greatest_side);
     } while (!fits(enough));
-    while (enough - too_small > 1) {
+    while (enough - too_small > 1 + enough / 64) {
         const int middle = too_small + (enough - too_small) / 2;
         (fits(middle) ? enough : too_small) = middle;
     }

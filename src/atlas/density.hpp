@@ -15,27 +15,42 @@ constexpr int greatest_side = 16384; ///< texels a page may have along a side
 /// Charts that have found their places.
 struct Packing {
     double density = 0.0; ///< texels a bake-frame unit
+    int side = 0;         ///< of the pages, texels
+    std::vector<ChartLayout> layouts;
     std::vector<Placement> placements;
     std::uint32_t page_count = 0;
 };
 
-/// The texels that a chart occupies, before turning. Its box lies in the middle of them, at least ¼ texel away from the
-/// outermost lines, so that every texel square that it touches, rounding included, is one of them. A box that is at
-/// most half a texel long has one texel, and its middle on the texel's centre.
-[[nodiscard]] TexelSize texels_of(const Chart& chart, double density);
+/// Finds densities for charts, or pages. `flat` must outlive it, and so must `charts`, which are not empty.
+class ChartPacker {
+public:
+    ChartPacker(std::span<const Chart> charts, std::span<const glm::vec2> flat);
 
-/// Nothing where the pages do not hold the charts.
-[[nodiscard]] std::optional<Packing> pack_at(std::span<const Chart> charts, double density,
-                                             const PageSettings& settings);
+    /// Nothing where the pages do not hold the charts.
+    [[nodiscard]] std::optional<Packing> at(double density, const PageSettings& settings) const;
 
-/// The greatest density (to 1 in 4096, and as far as the packer's answer grows with the density) at which the charts
-/// fit as few pages as they fit at all, which is one unless there are more charts than a page has room for. Nothing
-/// where even a texel for each chart is too much. `charts` is not empty.
-[[nodiscard]] std::optional<Packing> pack_densest(std::span<const Chart> charts, const PageSettings& settings);
+    /// About the greatest density at which the charts fit as few pages as they fit at all, which is one unless there
+    /// are more charts than a page has room for: it is halved in between until what fits and what does not are close:
+    /// within 0.03 %, of more than 64 charts 0.6 %, of more than 1024 1.2 %. Nothing where even a texel for each chart
+    /// is too much.
+    [[nodiscard]] std::optional<Packing> densest(const PageSettings& settings) const;
 
-/// The least side above settings.side that holds the charts, of those tried: at this density, or at any if it is
-/// absent. Nothing where none up to greatest_side does. What is returned does fit.
-[[nodiscard]] std::optional<int> side_that_fits(std::span<const Chart> charts, std::optional<double> density,
-                                                const PageSettings& settings);
+    /// On one page, about the least that holds the charts at this density (found as above). Nothing where none up to
+    /// greatest_side does.
+    [[nodiscard]] std::optional<Packing> least_page(double density, int gutter) const;
+
+    /// A side above settings.side that holds the charts, of those tried about the least: at this density, or at any if
+    /// it is absent. Nothing where none up to greatest_side does.
+    [[nodiscard]] std::optional<int> side_that_fits(std::optional<double> density, const PageSettings& settings) const;
+
+private:
+    [[nodiscard]] double foretold_area(double density, int gutter) const;
+
+    std::span<const Chart> m_charts;
+    std::span<const glm::vec2> m_flat;
+    double m_longest = 0.0;   ///< side of any chart's box, bake-frame units
+    double m_area = 0.0;      ///< of all charts, in bake-frame units
+    double m_perimeter = 0.0; ///< of their boxes
+};
 
 } // namespace vkbake

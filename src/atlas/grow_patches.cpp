@@ -30,6 +30,7 @@ public:
     Patch grow(std::uint32_t seed, std::uint32_t name) {
         m_name = name;
         m_patch = {};
+        m_facing = glm::dvec3(0.0);
         m_places.clear();
         m_open = {};
         const LaidTriangle laid = lay_down(m_mesh, 3 * seed);
@@ -71,6 +72,7 @@ private:
         }
         const double area = 0.5 * laid.x1 * laid.y2;
         m_patch.area += area;
+        m_facing += area * m_mesh.normals[triangle];
         m_patch.energy += area * distortion(laid, m_all.places[base], m_all.places[next_corner(base)],
                                             m_all.places[last_corner(base)])
                                      .energy();
@@ -126,8 +128,12 @@ private:
         if (!(bent.product > 0.0 && bent.energy() <= m_limits.triangle_energy)) {
             return;
         }
+        // A patch stays round and leaves some of what it may be bent for its neighbours.
+        constexpr double own_share = 0.4;
+        constexpr double facing = 0.3; // about 72°
         const double area = 0.5 * laid.x1 * laid.y2;
-        if (m_patch.energy + area * bent.energy() > m_limits.mean_energy * (m_patch.area + area)) {
+        if (m_patch.energy + area * bent.energy() > own_share * m_limits.mean_energy * (m_patch.area + area) ||
+            glm::dot(m_mesh.normals[side / 3], m_facing) < facing * glm::length(m_facing)) {
             return;
         }
         const glm::dvec2 a = m_places.at(m_mesh.vertices[side]);
@@ -148,12 +154,19 @@ private:
     PlaneGrid m_grid;
     std::uint32_t m_name = 0;
     Patch m_patch;
+    glm::dvec3 m_facing{0.0}; ///< Σ area · normal
     glm::dvec2 m_begin{0.0};
     std::unordered_map<std::uint32_t, glm::dvec2> m_places; ///< by vertex; looked up only, so its order decides nothing
     std::priority_queue<Open> m_open;
 };
 
 } // namespace
+
+bool is_crease(const ChartMesh& mesh, std::uint32_t side) {
+    const std::uint32_t beyond = mesh.across[side];
+    return glm::dot(mesh.normals[side / 3], mesh.normals[beyond / 3]) < crease_cosine ||
+           mesh.parts[side / 3] != mesh.parts[beyond / 3];
+}
 
 std::vector<Patch> grow_patches(Patches& patches, const std::vector<std::uint32_t>& component,
                                 const PatchLimits& limits) {

@@ -59,7 +59,7 @@ glm::dvec2 outline_direction(const Patches& patches, const Patch& piece) {
                     continue;
                 }
                 glm::dvec2 along = patches.places[next_corner(side)] - patches.places[side];
-                while (!(along.x > 0.0 && along.y >= 0.0) && along != glm::dvec2(0.0)) {
+                for (int quarter = 0; quarter < 3 && !(along.x > 0.0 && along.y >= 0.0); ++quarter) {
                     along = {along.y, -along.x};
                 }
                 const double length = glm::length(along);
@@ -90,7 +90,7 @@ public:
         : m_mesh(make_chart_mesh(surface, triangles)), m_patches(m_mesh), m_flat(3 * triangles.size()) {
         // A small distortion's energy is twice what it adds to the L2 stretch.
         m_limits.mean_energy = 2.0 * (limits.stretch - 1.0);
-        m_limits.triangle_energy = 10.0 * m_limits.mean_energy;
+        m_limits.triangle_energy = 25.0 * m_limits.mean_energy;
         m_limits.crossing_length = limits.unfold_length;
     }
 
@@ -232,6 +232,7 @@ std::vector<Chart> make_grown_charts(const Surface& surface, std::span<const std
         std::transform(members.begin(), members.end(), numbers.begin(),
                        [&](std::uint32_t local) { return triangles[local]; });
         charts.push_back(bounded_chart(std::move(numbers), flat));
+        fit_to_texels(charts.back(), flat);
     }
     return charts;
 }

@@ -14,6 +14,7 @@
 #include "atlas/kept_uvs.hpp"
 #include "atlas/place_charts.hpp"
 #include "atlas/polypacks.hpp"
+#include "base/parallel.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -24,8 +25,11 @@ constexpr std::uint32_t no_chart = std::numeric_limits<std::uint32_t>::max();
 
 void check_settings(const Settings& settings) {
     const auto refuse = [](const std::string& what) { throw Error(ErrorKind::usage, what); };
-    if (settings.size < 1 || settings.size > greatest_side) {
-        refuse("size " + std::to_string(settings.size) + ": out of range; give 1 to 16384 texels");
+    if (settings.size < 0 || settings.size > greatest_side) {
+        refuse("size " + std::to_string(settings.size) + ": out of range; give 1 to 16384 texels, or 0 with a density");
+    }
+    if (settings.size == 0 && !settings.density) {
+        refuse("size 0: only a density says how large a page must be; give one of the two");
     }
     if (settings.density && !(std::isfinite(*settings.density) && *settings.density > 0.0)) {
         refuse("density: must be finite and above 0; give texels a metre");
@@ -139,7 +143,8 @@ private:
                 m_settings.charts == ChartMaker::grown
                     ? make_grown_charts(m_surface, object.triangles, {m_settings.stretch, m_unfold_length}, m_flat)
                     : make_polypacks(m_surface, object.triangles, m_flat);
-            for (const Chart& chart : object.charts) {
+            for (Chart& chart : object.charts) {
+                chart.scale *= wanted_density(index);
                 name_chart(chart.triangles);
             }
             return;
@@ -155,7 +160,7 @@ private:
             uv_area += flat_area(m_flat, triangle);
         }
         // Without UV area there is no surface either (else the UVs would not do): a texel is enough.
-        object.charts.front().scale = uv_area > 0.0 ? std::sqrt(area / uv_area) : 0.0;
+        object.charts.front().scale = uv_area > 0.0 ? std::sqrt(area / uv_area) * wanted_density(index) : 0.0;
     }
 
     /// Reads the object's UVs into m_flat. Instances of one mesh share the answer.
@@ -186,6 +191,11 @@ private:
                ")";
     }
 
+    [[nodiscard]] double wanted_density(std::uint32_t object) const {
+        const std::uint32_t instance = m_surface.objects[object].instance;
+        return instance < m_scene.instances.size() ? m_scene.instances[instance].density : 1.0;
+    }
+
     void name_chart(std::span<const std::uint32_t> triangles) {
         for (const std::uint32_t triangle : triangles) {
             m_atlas.chart[triangle] = m_atlas.chart_count;
@@ -211,13 +221,20 @@ private:
             m_atlas.page[triangle] = page;
         }
         if (m_settings.density) {
-            m_notes.add("density not used where UVs are kept in place", page_name(page));
+            m_notes.add("density not used where UVs are kept in place", m_atlas.pages[page].name);
         }
     }
 
-    [[nodiscard]] std::string page_name(std::uint32_t page) const { return m_atlas.pages[page].name; }
+    void add_page(const std::string& name, int side) { m_atlas.pages.push_back({name, side, side}); }
 
-    void add_page(const std::string& name) { m_atlas.pages.push_back({name, m_settings.size, m_settings.size}); }
+    /// A page that keeps its UVs has the size that was asked for, or that the density asks for.
+    [[nodiscard]] int kept_side(const Object& object) const {
+        if (m_settings.size > 0 || object.charts.empty()) {
+            return m_settings.size;
+        }
+        const double texels = *m_settings.density / m_surface.frame.scale() * object.charts.front().scale;
+        return static_cast<int>(std::clamp(std::ceil(texels), 1.0, double{greatest_side}));
+    }
 
     /// Where the scene came as one atlas it stays as it is.
     bool keep_one_atlas() {
@@ -229,7 +246,11 @@ private:
         if (first_overlap(m_flat, m_surface.canonical_order)) {
             return false;
         }
-        add_page("lightmap");
+        int side = 1;
+        for (const Object& object : m_objects) {
+            side = std::max(side, kept_side(object));
+        }
+        add_page("lightmap", side);
         for (const Object& object : m_objects) {
             if (!object.triangles.empty()) {
                 keep_uvs(object, 0);
@@ -245,7 +266,7 @@ private:
         }
         const Packing packing = pack_charts(charts, m_settings.max_pages, "scene");
         for (std::uint32_t page = 0; page < packing.page_count; ++page) {
-            add_page(packing.page_count == 1 ? "lightmap" : "lightmap-" + std::to_string(page));
+            add_page(packing.page_count == 1 ? "lightmap" : "lightmap-" + std::to_string(page), packing.side);
         }
         place(charts, packing, 0);
         m_atlas.density = packing.density * m_surface.frame.scale();
@@ -259,12 +280,13 @@ private:
             }
             const auto page = static_cast<std::uint32_t>(m_atlas.pages.size());
             const std::string& name = m_surface.objects[index].name;
-            add_page(name);
             if (object.kept) {
+                add_page(name, kept_side(object));
                 keep_uvs(object, page);
                 continue;
             }
             const Packing packing = pack_charts(object.charts, 1, "object " + name);
+            add_page(name, packing.side);
             place(object.charts, packing, page);
             const double density = packing.density * m_surface.frame.scale();
             m_atlas.density = m_atlas.density > 0.0 ? std::min(m_atlas.density, density) : density;
@@ -276,33 +298,43 @@ private:
         std::sort(charts.begin(), charts.end(), [&](const Chart& a, const Chart& b) {
             return m_rank[a.triangles.front()] < m_rank[b.triangles.front()];
         });
+        const ChartPacker packer(charts, m_flat);
         const PageSettings pages{m_settings.size, m_settings.gutter, max_pages};
         std::optional<double> density;
         if (m_settings.density) {
             density = *m_settings.density / m_surface.frame.scale();
         }
-        auto packing = density ? pack_at(charts, *density, pages) : pack_densest(charts, pages);
+        auto packing = !density              ? packer.densest(pages)
+                       : m_settings.size > 0 ? packer.at(*density, pages)
+                                             : packer.least_page(*density, m_settings.gutter);
         if (packing) {
             return std::move(*packing);
         }
-        const auto side = side_that_fits(charts, density, pages);
+        const std::string what = where + ": " + std::to_string(charts.size()) + " charts do not fit ";
+        if (m_settings.size == 0) {
+            throw Error(ErrorKind::usage, what +
+                                              "a page of 16384² texels at this density; ask for a lower one, or give a "
+                                              "size and allow more pages");
+        }
+        const auto side = packer.side_that_fits(density, pages);
         throw Error(ErrorKind::usage,
-                    where + ": " + std::to_string(charts.size()) + " charts do not fit " + std::to_string(max_pages) +
-                        (max_pages == 1 ? " page of " : " pages of ") + std::to_string(m_settings.size) + "² texels" +
-                        (density ? " at this density" : "") + "; " +
+                    what + std::to_string(max_pages) + (max_pages == 1 ? " page of " : " pages of ") +
+                        std::to_string(m_settings.size) + "² texels" + (density ? " at this density" : "") + "; " +
                         (side ? "use --size " + std::to_string(*side)
                               : std::string("no size up to 16384 does: allow more pages, or ask for a lower density")));
     }
 
     void place(const std::vector<Chart>& charts, const Packing& packing, std::uint32_t first_page) {
-        for (std::size_t i = 0; i < charts.size(); ++i) {
-            const Placement& placement = packing.placements[i];
-            place_chart(charts[i], placement, packing.density, m_settings.size, m_flat, m_atlas.uvs);
-            repair_rounding(charts[i], m_flat, m_atlas.uvs);
-            for (const std::uint32_t triangle : charts[i].triangles) {
-                m_atlas.page[triangle] = first_page + placement.page;
+        parallel_ranges(charts.size(), 16, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Placement& placement = packing.placements[i];
+                place_chart(charts[i], packing.layouts[i], placement, packing.side, m_flat, m_atlas.uvs);
+                repair_rounding(charts[i], m_flat, m_atlas.uvs);
+                for (const std::uint32_t triangle : charts[i].triangles) {
+                    m_atlas.page[triangle] = first_page + placement.page;
+                }
             }
-        }
+        });
     }
 
     const Scene& m_scene;

@@ -110,6 +110,7 @@ UvFigures measure_uvs(const MeasuredUvs& uvs) {
     DisjointSets sets = join_charts(uvs);
     StretchSum sum;
     std::vector<double> signed_area(uvs.page.size(), 0.0); // by the chart's least triangle
+    std::vector<bool> is_chart(uvs.page.size(), false);
     const auto doubled_area = [&](std::uint32_t triangle) {
         const glm::dvec2 s = glm::dvec2(uvs.texels[3 * triangle + 1]) - glm::dvec2(uvs.texels[3 * triangle]);
         const glm::dvec2 t = glm::dvec2(uvs.texels[3 * triangle + 2]) - glm::dvec2(uvs.texels[3 * triangle]);
@@ -117,11 +118,13 @@ UvFigures measure_uvs(const MeasuredUvs& uvs) {
     };
     for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
         signed_area[sets.find(triangle)] += doubled_area(triangle);
+        if (doubled_area(triangle) != 0.0) {
+            is_chart[sets.find(triangle)] = true;
+        }
         figures.unmapped += sum.add(&uvs.positions[3 * triangle], &uvs.texels[3 * triangle]) ? 0 : 1;
     }
     // What has no area in the map is no chart.
-    figures.charts = static_cast<std::size_t>(
-        std::count_if(signed_area.begin(), signed_area.end(), [](double area) { return area != 0.0; }));
+    figures.charts = static_cast<std::size_t>(std::count(is_chart.begin(), is_chart.end(), true));
     for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
         figures.mirrored += doubled_area(triangle) * signed_area[sets.find(triangle)] < 0.0 ? 1 : 0;
     }

@@ -142,57 +142,33 @@ private:
         }
         std::stable_sort(common.begin(), common.end(),
                          [&](std::uint32_t s, std::uint32_t t) { return length_of(s) > length_of(t); });
-        constexpr std::size_t tries = 4;
+        const Joint joint = m_own[a].joints.at(b);
+        const bool smooth = joint.flat_length > 0.5 * joint.length;
+        const std::size_t tries = smooth ? 1 : 4;
         std::size_t tried = 0;
         std::vector<bool> met(common.size(), false);
         for (std::size_t i = 0; i < common.size() && tried < tries; ++i) {
             if (!met[i]) {
                 ++tried;
-                if (lay_beside(a, b, common, i, met)) {
+                if (lay_beside(a, b, common, hinge_motion(common[i]), i, met, 1e-3)) {
                     return;
                 }
             }
         }
-        const Joint& joint = m_own[a].joints.at(b);
-        if (joint.flat_length > 0.5 * joint.length) {
-            sew_on(a, b, common);
-        }
-    }
-
-    /// The motion of b that brings the common sides as near to each other as can be: least squares.
-    [[nodiscard]] RigidMotion best_motion(const std::vector<std::uint32_t>& common) const {
-        glm::dvec2 from(0.0);
-        glm::dvec2 to(0.0);
-        double length = 0.0;
-        const auto middle = [&](std::uint32_t side) {
-            return 0.5 * (m_all.places[side] + m_all.places[next_corner(side)]);
-        };
-        for (const std::uint32_t side : common) {
-            const double own = length_of(side);
-            length += own;
-            from += own * middle(side);
-            to += own * middle(m_mesh.across[side]);
-        }
-        from /= length;
-        to /= length;
-        glm::dvec2 sum(0.0);
-        for (const std::uint32_t side : common) {
-            const std::uint32_t beyond = m_mesh.across[side];
-            for (const auto& [mine, theirs] :
-                 {std::pair(side, next_corner(beyond)), std::pair(next_corner(side), beyond)}) {
-                const glm::dvec2 a = m_all.places[mine] - from;
-                const glm::dvec2 b = m_all.places[theirs] - to;
-                sum += length_of(side) * glm::dvec2(glm::dot(a, b), a.x * b.y - a.y * b.x);
+        if (!common.empty() && smooth) {
+            // What is small beside the other must fit without the other's being laid out anew.
+            const std::size_t count = m_pieces[b].triangles.size();
+            if (count <= 20 && lay_beside(a, b, common, best_motion(m_all, common), 0, met, 1.0)) {
+                return;
+            }
+            if (count > 20 || 20 * count > m_pieces[a].triangles.size()) {
+                sew_on(a, b, common);
             }
         }
-        const double size = glm::length(sum);
-        RigidMotion motion{size > 0.0 ? sum / size : glm::dvec2(1.0, 0.0), glm::dvec2(0.0)};
-        motion.move = to - motion(from);
-        return motion;
     }
 
     void sew_on(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& common) {
-        const RigidMotion motion = best_motion(common);
+        const RigidMotion motion = best_motion(m_all, common);
         double mismatch = 0.0;
         double length = 0.0;
         for (const std::uint32_t side : common) {
@@ -226,12 +202,18 @@ private:
         m_pieces[a].energy = sewn->energy;
     }
 
+    [[nodiscard]] RigidMotion hinge_motion(std::uint32_t own) const {
+        const std::uint32_t theirs = m_mesh.across[own];
+        return RigidMotion::between(m_all.places[own], m_all.places[next_corner(own)],
+                                    m_all.places[next_corner(theirs)], m_all.places[theirs]);
+    }
+
+    /// Sides that come within `tolerance` of their lengths of each other are joined, the hinge in any case.
     [[nodiscard]] bool lay_beside(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& common,
-                                  std::size_t hinge, std::vector<bool>& met) {
+                                  const RigidMotion& motion, std::size_t hinge, std::vector<bool>& met,
+                                  double tolerance) {
         const std::uint32_t own = common[hinge];
         const std::uint32_t theirs = m_mesh.across[own];
-        const RigidMotion motion = RigidMotion::between(m_all.places[own], m_all.places[next_corner(own)],
-                                                        m_all.places[next_corner(theirs)], m_all.places[theirs]);
         PlaneBox box = m_own[a].box;
         std::vector<glm::dvec2> moved;
         moved.reserve(3 * m_pieces[b].triangles.size());
@@ -252,12 +234,15 @@ private:
         for (std::size_t i = 0; i < common.size(); ++i) {
             const std::uint32_t side = common[i];
             const std::uint32_t beyond = m_mesh.across[side];
-            const double near = 1e-3 * length_of(side);
-            if (glm::length(motion(m_all.places[side]) - m_all.places[next_corner(beyond)]) <= near &&
-                glm::length(motion(m_all.places[next_corner(side)]) - m_all.places[beyond]) <= near) {
+            const double near = tolerance * length_of(side);
+            const double begin = glm::length(motion(m_all.places[side]) - m_all.places[next_corner(beyond)]);
+            const double end = glm::length(motion(m_all.places[next_corner(side)]) - m_all.places[beyond]);
+            if (begin <= near && end <= near) {
                 met[i] = true;
                 weld_corner(side, next_corner(beyond));
                 weld_corner(next_corner(side), beyond);
+            } else if (i != hinge && !is_crease(m_mesh, side) && std::min(begin, end) < length_of(side)) {
+                return false; // a slit in a smooth surface would open or overlap; far apart it is a cut
             }
         }
         met[hinge] = true;
@@ -270,9 +255,11 @@ private:
                 moved[at] = weld != welds.end() ? weld->second : moved[at];
             }
         }
-        if (!fits(a, b, moved)) {
+        const auto energy = fits(a, b, moved);
+        if (!energy) {
             return false;
         }
+        m_pieces[b].energy = *energy;
         join(a, b, moved, box);
         return true;
     }
@@ -282,27 +269,39 @@ private:
         if (box.longest() <= m_limits.crossing_length) {
             return true;
         }
+        // A strip of walls would be too long for the page, and its length would limit the density of all.
+        const Joint& joint = m_own[a].joints.at(b);
+        if (joint.flat_length < 0.5 * joint.length &&
+            box.longest() > 1.001 * std::max(m_own[a].box.longest(), m_own[b].box.longest())) {
+            return false;
+        }
         const double area = m_pieces[a].area + m_pieces[b].area;
         return box.area() * 0.95 <= m_own[a].box.area() + m_own[b].box.area() || area >= 0.75 * box.area();
     }
 
-    [[nodiscard]] bool fits(std::uint32_t a, std::uint32_t b, const std::vector<glm::dvec2>& moved) {
+    /// The energy that b has in its new places, or nothing where they will not do.
+    [[nodiscard]] std::optional<double> fits(std::uint32_t a, std::uint32_t b, const std::vector<glm::dvec2>& moved) {
+        double energy = 0.0;
         const double slack = 1e-9 * std::max(m_own[a].box.longest(), m_own[b].box.longest());
         const std::vector<std::uint32_t>& mine = m_pieces[b].triangles;
         for (std::size_t i = 0; i < mine.size(); ++i) {
             const LaidTriangle triangle = lay_down(m_mesh, 3 * mine[i]);
             const Distortion bent = distortion(triangle, moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]);
             if (!(bent.product > 0.0 && bent.energy() <= m_limits.triangle_energy)) {
-                return false;
+                return std::nullopt;
             }
+            energy += 0.5 * triangle.x1 * triangle.y2 * bent.energy();
+        }
+        if (m_pieces[a].energy + energy > m_limits.mean_energy * (m_pieces[a].area + m_pieces[b].area)) {
+            return std::nullopt;
         }
         PlaneGrid& grid = grid_of(a);
         for (std::size_t i = 0; i < mine.size(); ++i) {
             if (at_outline(mine[i]) && grid.meets({moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]}, slack)) {
-                return false;
+                return std::nullopt;
             }
         }
-        return true;
+        return energy;
     }
 
     PlaneGrid& grid_of(std::uint32_t name) {
@@ -370,14 +369,15 @@ private:
 
 } // namespace
 
-bool is_crease(const ChartMesh& mesh, std::uint32_t side) {
-    const std::uint32_t beyond = mesh.across[side];
-    return glm::dot(mesh.normals[side / 3], mesh.normals[beyond / 3]) < crease_cosine ||
-           mesh.parts[side / 3] != mesh.parts[beyond / 3];
-}
-
 void merge_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits) {
+    // Twice: what a patch gained in measure by being relaxed it may spend on neighbours.
+    bool bent = relax_patches(patches, pieces, limits);
     PatchMerger(patches, pieces, limits).run();
+    if (bent) {
+        bent = relax_patches(patches, pieces, limits);
+        PatchMerger(patches, pieces, limits).run();
+        (void)relax_patches(patches, pieces, limits);
+    }
 }
 
 } // namespace vkbake

@@ -1,253 +1,241 @@
 #include "atlas/pack.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <bit>
+#include <cstddef>
 #include <map>
 #include <numeric>
-#include <set>
+#include <tuple>
 #include <utility>
 
 namespace vkbake {
 
 namespace {
 
-/// The rectangles that are not yet placed. Equal ones (turned or not) are one kind: an atlas of many charts has few
-/// sizes.
-class Stock {
-public:
-    struct Choice {
-        std::uint32_t rectangle = 0;
-        int width = 0; ///< as it will lie
-        int height = 0;
-        bool turned = false;
-    };
-
-    /// Sizes are taken with the gutter added to each side's length. None is wider or higher than `side`.
-    Stock(std::span<const TexelSize> rectangles, int side, int gutter)
-        : m_by_width(static_cast<std::size_t>(side) + 1) {
-        while (m_leaves < m_by_width.size()) {
-            m_leaves *= 2;
-        }
-        m_least_height.assign(2 * m_leaves, nothing);
-        std::map<std::pair<int, int>, std::uint32_t> kinds;
-        m_left = rectangles.size();
-        for (std::uint32_t i = 0; i < rectangles.size(); ++i) {
-            const int width = rectangles[i].width + gutter;
-            const int height = rectangles[i].height + gutter;
-            const std::pair size(std::max(width, height), std::min(width, height));
-            const auto [at, is_new] = kinds.try_emplace(size, static_cast<std::uint32_t>(m_kinds.size()));
-            if (is_new) {
-                m_kinds.emplace_back();
-                m_by_width[static_cast<std::size_t>(size.first)].emplace(size.second, at->second);
-                m_by_width[static_cast<std::size_t>(size.second)].emplace(size.first, at->second);
-            }
-            m_kinds[at->second].members.emplace_back(i, width);
-        }
-        for (std::size_t width = 0; width < m_by_width.size(); ++width) {
-            if (!m_by_width[width].empty()) {
-                update(width);
-            }
-        }
-    }
-
-    [[nodiscard]] bool empty() const { return m_left == 0; }
-
-    /// Takes out the widest that is at most this wide and high, of those the highest.
-    std::optional<Choice> take(int width, int height) {
-        const std::size_t widest = find_widest(static_cast<std::size_t>(width), height);
-        if (widest == 0) {
-            return std::nullopt;
-        }
-        const auto& heights = m_by_width[widest];
-        const auto [chosen_height, kind] = *std::prev(heights.upper_bound({height, nothing_kind}));
-        const auto [rectangle, own_width] = m_kinds[kind].members[m_kinds[kind].next++];
-        --m_left;
-        const int chosen_width = static_cast<int>(widest);
-        if (m_kinds[kind].next == m_kinds[kind].members.size()) {
-            remove(chosen_width, chosen_height, kind);
-            remove(chosen_height, chosen_width, kind);
-        }
-        return Choice{rectangle, chosen_width, chosen_height, own_width != chosen_width};
-    }
-
-private:
-    static constexpr int nothing = std::numeric_limits<int>::max();
-    static constexpr std::uint32_t nothing_kind = std::numeric_limits<std::uint32_t>::max();
-
-    struct Kind {
-        std::vector<std::pair<std::uint32_t, int>> members; ///< rectangle and its width before turning
-        std::size_t next = 0;
-    };
-
-    void remove(int width, int height, std::uint32_t kind) {
-        m_by_width[static_cast<std::size_t>(width)].erase({height, kind});
-        update(static_cast<std::size_t>(width));
-    }
-
-    void update(std::size_t width) {
-        const auto& heights = m_by_width[width];
-        std::size_t node = m_leaves + width;
-        m_least_height[node] = heights.empty() ? nothing : heights.begin()->first;
-        for (node /= 2; node > 0; node /= 2) {
-            m_least_height[node] = std::min(m_least_height[2 * node], m_least_height[2 * node + 1]);
-        }
-    }
-
-    /// The greatest width ≤ `width` for which something at most `height` high is left, or 0.
-    [[nodiscard]] std::size_t find_widest(std::size_t width, int height) const {
-        std::size_t node = m_leaves + std::min(width, m_by_width.size() - 1);
-        // Up, until a subtree at or to the left of the leaf holds something low enough; then down, on the right where
-        // possible.
-        while (m_least_height[node] > height) {
-            while (node % 2 == 0) {
-                node /= 2;
-            }
-            if (node == 1) {
-                return 0;
-            }
-            --node;
-        }
-        while (node < m_leaves) {
-            node = 2 * node + (m_least_height[2 * node + 1] <= height ? 1 : 0);
-        }
-        return node - m_leaves;
-    }
-
-    std::vector<Kind> m_kinds;
-    std::vector<std::set<std::pair<int, std::uint32_t>>> m_by_width; ///< by width: height and kind
-    std::size_t m_leaves = 1;
-    std::vector<int> m_least_height; ///< a binary heap of minima over m_by_width
-    std::size_t m_left = 0;
+struct Place {
+    int x = 0;
+    int y = 0;
 };
 
-/// The upper outline of what lies in a page: a row of steps from left to right, neighbours of unlike height.
-class Skyline {
+/// One page: which texels are taken, those within the gutter of a shape included.
+class Page {
 public:
-    struct Gap {
-        int x = 0;
-        int y = 0;
-        int width = 0;
-        bool taller_on_right = false; ///< the neighbour on the right reaches higher than the one on the left
-    };
+    Page(int side, int gutter)
+        : m_side(side), m_gutter(gutter), m_words((static_cast<std::size_t>(side) + 63) / 64),
+          m_bits(m_words * static_cast<std::size_t>(side), 0), m_longest(static_cast<std::size_t>(side), side) {}
 
-    explicit Skyline(int side) : m_side(side) { add(0, 0, side); }
-
-    /// The lowest step, of those the leftmost.
-    [[nodiscard]] Gap lowest() const {
-        const auto [y, x] = *m_lowest.begin();
-        const auto at = m_steps.find(x);
-        return {x, y, at->second.width, right_of(at) > left_of(at)};
+    /// The highest place, of those the leftmost, from row `begin` on, its box's lower end not beyond row `end`.
+    [[nodiscard]] std::optional<Place> find(const ChartShape& shape, int begin, int end) const {
+        const int widest = widest_row(shape);
+        const int needed = longest_run(shape, widest);
+        int suspect = widest; // the row that refused last: likely to refuse again
+        for (int y = begin; y + shape.height <= std::min(end, m_side); ++y) {
+            if (m_longest[static_cast<std::size_t>(y + widest)] < needed) {
+                continue;
+            }
+            for (int x = 0; x + shape.width <= m_side;) {
+                const int next = next_try(shape, x, y, suspect);
+                if (next == x) {
+                    return Place{x, y};
+                }
+                x = next;
+            }
+        }
+        return std::nullopt;
     }
 
-    /// Raises [x, x + width) of the lowest step to `y`.
-    void raise(const Gap& gap, int x, int width, int y) {
-        m_steps.erase(gap.x);
-        m_lowest.erase({gap.y, gap.x});
-        if (x > gap.x) {
-            add(gap.x, gap.y, x - gap.x);
+    void take(const ChartShape& shape, const Place& place) {
+        for (int y = std::max(0, place.y - m_gutter); y < std::min(m_side, place.y + shape.height + m_gutter); ++y) {
+            const int from = std::max(0, y - place.y - m_gutter);
+            const int to = std::min(shape.height, y - place.y + m_gutter + 1);
+            for (int row = from; row < to; ++row) {
+                for (const ChartShape::Run& run : shape.row(row)) {
+                    set(y, std::max(0, place.x + run.begin - m_gutter), std::min(m_side, place.x + run.end + m_gutter));
+                }
+            }
+            m_longest[static_cast<std::size_t>(y)] = longest_free(y);
         }
-        if (x + width < gap.x + gap.width) {
-            add(x + width, gap.y, gap.x + gap.width - x - width);
-        }
-        add(x, y, width);
-    }
-
-    /// Fills the lowest step up to its lower neighbour. False where it has none: it is the whole row.
-    bool fill(const Gap& gap) {
-        const auto at = m_steps.find(gap.x);
-        const int y = std::min(left_of(at), right_of(at));
-        if (y == wall) {
-            return false;
-        }
-        raise(gap, gap.x, gap.width, y);
-        return true;
     }
 
 private:
-    struct Step {
-        int y = 0;
-        int width = 0;
-    };
-    using Steps = std::map<int, Step>;
-    static constexpr int wall = std::numeric_limits<int>::max();
-
-    [[nodiscard]] int left_of(Steps::const_iterator at) const {
-        return at == m_steps.begin() ? wall : std::prev(at)->second.y;
-    }
-    [[nodiscard]] int right_of(Steps::const_iterator at) const {
-        return at->first + at->second.width == m_side ? wall : std::next(at)->second.y;
-    }
-
-    /// Joins what it meets at the same height.
-    void add(int x, int y, int width) {
-        const auto after = m_steps.lower_bound(x);
-        if (after != m_steps.end() && after->second.y == y && after->first == x + width) {
-            width += after->second.width;
-            erase(after);
+    static int longest_run(const ChartShape& shape, int y) {
+        int longest = 0;
+        for (const ChartShape::Run& run : shape.row(y)) {
+            longest = std::max(longest, run.end - run.begin);
         }
-        const auto behind = m_steps.lower_bound(x);
-        if (behind != m_steps.begin()) {
-            const auto before = std::prev(behind);
-            if (before->second.y == y && before->first + before->second.width == x) {
-                x = before->first;
-                width += before->second.width;
-                erase(before);
+        return longest;
+    }
+
+    static int widest_row(const ChartShape& shape) {
+        int widest = 0;
+        for (int y = 1; y < shape.height; ++y) {
+            widest = longest_run(shape, y) > longest_run(shape, widest) ? y : widest;
+        }
+        return widest;
+    }
+
+    /// `x` itself where the shape fits there, else the least x that may do: beyond what is in the way.
+    [[nodiscard]] int next_try(const ChartShape& shape, int x, int y, int& suspect) const {
+        for (int k = 0; k < shape.height; ++k) {
+            const int row = k == 0 ? suspect : k <= suspect ? k - 1 : k;
+            for (const ChartShape::Run& run : shape.row(row)) {
+                const int last = last_taken(y + row, x + run.begin, x + run.end);
+                if (last >= 0) {
+                    suspect = row;
+                    return last + 1 - run.begin;
+                }
             }
         }
-        m_steps.emplace(x, Step{y, width});
-        m_lowest.emplace(y, x);
+        return x;
     }
 
-    void erase(Steps::const_iterator at) {
-        m_lowest.erase({at->second.y, at->first});
-        m_steps.erase(at);
+    /// The last taken texel in [begin, end) of a row, or −1.
+    [[nodiscard]] int last_taken(int y, int begin, int end) const {
+        const std::uint64_t* const row = &m_bits[static_cast<std::size_t>(y) * m_words];
+        const auto first = static_cast<std::size_t>(begin);
+        const auto last = static_cast<std::size_t>(end - 1);
+        std::uint64_t mask = ~std::uint64_t{0} >> (63 - last % 64);
+        for (std::size_t word = last / 64;; --word) {
+            std::uint64_t bits = row[word] & mask;
+            bits &= word == first / 64 ? ~std::uint64_t{0} << (first % 64) : ~std::uint64_t{0};
+            if (bits != 0) {
+                return static_cast<int>(word * 64 + 63) - std::countl_zero(bits);
+            }
+            if (word == first / 64) {
+                return -1;
+            }
+            mask = ~std::uint64_t{0};
+        }
+    }
+
+    void set(int y, int begin, int end) {
+        std::uint64_t* const row = &m_bits[static_cast<std::size_t>(y) * m_words];
+        for (auto x = static_cast<std::size_t>(begin); x < static_cast<std::size_t>(end);) {
+            const std::size_t in_word = std::min<std::size_t>(64 - x % 64, static_cast<std::size_t>(end) - x);
+            row[x / 64] |= (~std::uint64_t{0} >> (64 - in_word)) << (x % 64);
+            x += in_word;
+        }
+    }
+
+    [[nodiscard]] int longest_free(int y) const {
+        const std::uint64_t* const row = &m_bits[static_cast<std::size_t>(y) * m_words];
+        int longest = 0;
+        int begin = 0;
+        for (std::size_t word = 0; word < m_words; ++word) {
+            std::uint64_t bits = row[word];
+            while (bits != 0) {
+                const int at = static_cast<int>(word * 64) + std::countr_zero(bits);
+                longest = std::max(longest, at - begin);
+                // Skip the taken run within this word.
+                const int ones = std::countr_one(bits >> (static_cast<unsigned>(at) % 64));
+                begin = at + ones;
+                bits = static_cast<unsigned>(begin) % 64 == 0
+                           ? 0
+                           : bits & (~std::uint64_t{0} << (static_cast<unsigned>(begin) % 64));
+            }
+        }
+        return std::max(longest, m_side - begin);
     }
 
     int m_side;
-    Steps m_steps;                          ///< by x
-    std::set<std::pair<int, int>> m_lowest; ///< y and x of each
+    int m_gutter;
+    std::size_t m_words;
+    std::vector<std::uint64_t> m_bits;
+    std::vector<int> m_longest; ///< by row: its longest run of free texels
 };
 
-/// Fills one page. Returns how many it took.
-std::size_t fill_page(Stock& stock, int side, std::uint32_t page, std::vector<Placement>& placements) {
-    Skyline skyline(side);
-    std::size_t taken = 0;
-    while (!stock.empty()) {
-        const Skyline::Gap gap = skyline.lowest();
-        if (const auto choice = stock.take(gap.width, side - gap.y)) {
-            const int x = gap.taller_on_right ? gap.x + gap.width - choice->width : gap.x;
-            placements[choice->rectangle] = {page, x, gap.y, choice->turned};
-            skyline.raise(gap, x, choice->width, gap.y + choice->height);
-            ++taken;
-        } else if (!skyline.fill(gap)) {
-            break;
+class Packer {
+public:
+    explicit Packer(const PageSettings& settings) : m_settings(settings) {}
+
+    [[nodiscard]] std::optional<Placement> place(const ChartShape& shape) {
+        const std::vector<ChartShape> ways = turns_of(shape);
+        for (std::uint32_t page = 0;; ++page) {
+            if (page == m_pages.size()) {
+                if (static_cast<int>(page) == m_settings.max_pages) {
+                    return std::nullopt;
+                }
+                m_pages.emplace_back(m_settings.side, m_settings.gutter);
+                m_begins.emplace_back();
+            }
+            std::optional<Placement> best;
+            int end = m_settings.side; // only a place that brings its lower end higher is better
+            for (std::size_t turns = 0; turns < ways.size(); ++turns) {
+                if (const auto place = find(page, ways[turns], turns >= 2, end)) {
+                    best = Placement{page, place->x, place->y, static_cast<int>(turns)};
+                    end = place->y + ways[turns].height - 1;
+                }
+            }
+            if (best) {
+                m_pages[page].take(ways[static_cast<std::size_t>(best->turns)], {best->x, best->y});
+                return best;
+            }
         }
     }
-    return taken;
-}
+
+private:
+    /// Width and height, four steps an octave; how much of the box is filled, in quarters; whether upside down.
+    using Kind = std::tuple<int, int, int, bool>;
+
+    static int step_of(int length) {
+        const int octave = std::bit_width(static_cast<unsigned>(length));
+        return octave <= 3 ? length : 4 * octave + (length >> (octave - 3)) % 4;
+    }
+
+    static std::vector<ChartShape> turns_of(const ChartShape& shape) {
+        constexpr double large = 1024.0; // texels: smaller ones find room either way
+        const double texels = shape.texel_count();
+        std::vector<ChartShape> ways{shape};
+        if (shape.width != shape.height || texels < static_cast<double>(shape.width) * shape.height) {
+            ways.push_back(turned(shape));
+            if (texels >= large && texels < static_cast<double>(shape.width) * shape.height) {
+                ways.push_back(turned(ways[1]));
+                ways.push_back(turned(ways[2]));
+            }
+        }
+        return ways;
+    }
+
+    std::optional<Place> find(std::uint32_t page, const ChartShape& shape, bool upside_down, int end) {
+        const double filled = shape.texel_count() / (static_cast<double>(shape.width) * shape.height);
+        int& begin =
+            m_begins[page][{step_of(shape.width), step_of(shape.height), static_cast<int>(4.0 * filled), upside_down}];
+        const auto place = m_pages[page].find(shape, begin, end);
+        begin = place ? place->y : std::max(begin, end - shape.height + 1);
+        return place;
+    }
+
+    PageSettings m_settings;
+    std::vector<Page> m_pages;
+    std::vector<std::map<Kind, int>> m_begins; ///< by page: the row from which a kind is looked for
+};
 
 } // namespace
 
-std::optional<std::vector<Placement>> pack(std::span<const TexelSize> rectangles, const PageSettings& settings) {
-    // A gutter beyond the right and lower border lets each rectangle carry its own on two sides.
-    const int side = settings.side + settings.gutter;
-    const double page_area = static_cast<double>(side) * side;
-    double area = 0.0;
-    for (const TexelSize& rectangle : rectangles) {
-        if (std::max(rectangle.width, rectangle.height) > settings.side) {
+std::optional<std::vector<Placement>> pack(std::span<const ChartShape> shapes, const PageSettings& settings) {
+    double texels = 0.0;
+    std::vector<double> counts;
+    for (const ChartShape& shape : shapes) {
+        if (std::max(shape.width, shape.height) > settings.side) {
             return std::nullopt;
         }
-        area += static_cast<double>(rectangle.width + settings.gutter) * (rectangle.height + settings.gutter);
+        counts.push_back(shape.texel_count());
+        texels += counts.back();
     }
-    if (area > page_area * settings.max_pages) {
+    if (texels > static_cast<double>(settings.side) * settings.side * settings.max_pages) {
         return std::nullopt;
     }
-    std::vector<Placement> placements(rectangles.size());
-    Stock stock(rectangles, side, settings.gutter);
-    for (int page = 0; !stock.empty(); ++page) {
-        if (page == settings.max_pages || fill_page(stock, side, static_cast<std::uint32_t>(page), placements) == 0) {
+    std::vector<std::size_t> order(shapes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
+    std::vector<Placement> placements(shapes.size());
+    Packer packer(settings);
+    for (const std::size_t index : order) {
+        const auto placement = packer.place(shapes[index]);
+        if (!placement) {
             return std::nullopt;
         }
+        placements[index] = *placement;
     }
     return placements;
 }

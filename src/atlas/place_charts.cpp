@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "atlas/density.hpp"
 #include "atlas/predicates.hpp"
 #include "atlas/triangle_tree.hpp"
 
@@ -90,19 +89,18 @@ FlatTriangle taken_back(const FlatTriangle& moved, const FlatTriangle& fixed) {
 
 } // namespace
 
-void place_chart(const Chart& chart, const Placement& placement, double density, int side,
+void place_chart(const Chart& chart, const ChartLayout& layout, const Placement& placement, int side,
                  std::span<const glm::vec2> flat, std::span<glm::vec2> uvs) {
-    const double texels_a_unit = chart.scale * density;
-    const glm::dvec2 extent = (chart.upper - chart.lower) * texels_a_unit;
-    const TexelSize size = texels_of(chart, density);
-    const glm::dvec2 margin = (glm::dvec2(size.width, size.height) - extent) * 0.5;
     for (const std::uint32_t triangle : chart.triangles) {
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t corner = 3 * std::size_t{triangle} + c;
-            const glm::dvec2 local = (glm::dvec2(flat[corner]) - chart.lower) * texels_a_unit + margin;
-            // A quarter turn, not a reflection: what ran to the right runs up.
-            const glm::dvec2 turned = placement.turned ? glm::dvec2(local.y, size.width - local.x) : local;
-            uvs[corner] = to_grid((glm::dvec2(placement.x, placement.y) + turned) / static_cast<double>(side));
+            glm::dvec2 local = glm::dvec2(flat[corner]) * layout.scale + layout.offset;
+            glm::ivec2 size(layout.size.width, layout.size.height);
+            for (int turn = 0; turn < placement.turns; ++turn) { // quarter turns, not reflections
+                local = {local.y, size.x - local.x};
+                size = {size.y, size.x};
+            }
+            uvs[corner] = to_grid((glm::dvec2(placement.x, placement.y) + local) / static_cast<double>(side));
         }
     }
 }

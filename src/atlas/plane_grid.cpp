@@ -49,7 +49,10 @@ bool reach_into(const PlaneTriangle& first, const PlaneTriangle& second, double 
 }
 
 PlaneGrid::Cells PlaneGrid::cells_of(const PlaneTriangle& triangle) const {
-    const auto cell = [&](double value) { return static_cast<std::int64_t>(std::floor(value / m_cell)); };
+    // Far out cells are one; their number squared still fits.
+    const auto cell = [&](double value) {
+        return static_cast<std::int64_t>(std::clamp(std::floor(value / m_cell), -1e9, 1e9));
+    };
     const auto [x_low, x_high] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
     const auto [y_low, y_high] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
     return {cell(x_low), cell(x_high) + 1, cell(y_low), cell(y_high) + 1};

@@ -1,5 +1,8 @@
 #include "atlas/sew.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 #include "atlas/disjoint_sets.hpp"
 #include "atlas/plane_grid.hpp"
 #include "atlas/relax.hpp"
@@ -78,12 +81,34 @@ private:
         }
     }
 
+    /// Where a piece touches itself in a corner alone it stays together.
+    void join_pinches(DisjointSets& sets) const {
+        using Corner = std::tuple<std::uint32_t, std::uint32_t, double, double, std::uint32_t>;
+        std::vector<Corner> corners;
+        corners.reserve(m_piece.places.size());
+        for (std::uint32_t corner = 0; corner < m_piece.places.size(); ++corner) {
+            const std::uint32_t triangle = m_piece.triangles[corner / 3];
+            const glm::dvec2& place = m_patches.places[3 * triangle + corner % 3];
+            corners.emplace_back(m_mesh.vertices[3 * triangle + corner % 3], m_patches.patch_of[triangle], place.x,
+                                 place.y, corner);
+        }
+        std::sort(corners.begin(), corners.end());
+        for (std::size_t i = 1; i < corners.size(); ++i) {
+            const auto& [vertex, patch, x, y, corner] = corners[i - 1];
+            const auto& [next_vertex, next_patch, next_x, next_y, next_corner] = corners[i];
+            if (vertex == next_vertex && patch == next_patch && x == next_x && y == next_y) {
+                sets.join(corner, next_corner);
+            }
+        }
+    }
+
     void number_points() {
         DisjointSets sets(m_piece.places.size());
         for_each_seam([&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
             sets.join(a, b);
             sets.join(c, d);
         });
+        join_pinches(sets);
         m_points.resize(m_piece.places.size());
         std::vector<double> counts;
         for (std::uint32_t corner = 0; corner < m_points.size(); ++corner) {
@@ -140,6 +165,61 @@ private:
 std::optional<SewnPiece> sew(Patches& patches, const Patch& first, const Patch& second, const RigidMotion& motion,
                              const PatchLimits& limits, int rounds) {
     return Sewing(patches, first, second, motion).run(limits, rounds);
+}
+
+RigidMotion best_motion(const Patches& patches, std::span<const std::uint32_t> common) {
+    glm::dvec2 from(0.0);
+    glm::dvec2 to(0.0);
+    double length = 0.0;
+    const auto length_of = [&](std::uint32_t side) {
+        return glm::length(patches.mesh->corner(next_corner(side)) - patches.mesh->corner(side));
+    };
+    const auto middle = [&](std::uint32_t side) {
+        return 0.5 * (patches.places[side] + patches.places[next_corner(side)]);
+    };
+    for (const std::uint32_t side : common) {
+        const double own = length_of(side);
+        length += own;
+        from += own * middle(side);
+        to += own * middle(patches.mesh->across[side]);
+    }
+    from /= length;
+    to /= length;
+    glm::dvec2 sum(0.0);
+    for (const std::uint32_t side : common) {
+        const std::uint32_t beyond = patches.mesh->across[side];
+        for (const auto& [mine, theirs] :
+             {std::pair(side, next_corner(beyond)), std::pair(next_corner(side), beyond)}) {
+            const glm::dvec2 a = patches.places[mine] - from;
+            const glm::dvec2 b = patches.places[theirs] - to;
+            sum += length_of(side) * glm::dvec2(glm::dot(a, b), a.x * b.y - a.y * b.x);
+        }
+    }
+    const double size = glm::length(sum);
+    RigidMotion motion{size > 0.0 ? sum / size : glm::dvec2(1.0, 0.0), glm::dvec2(0.0)};
+    motion.move = to - motion(from);
+    return motion;
+}
+
+bool relax_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits) {
+    constexpr double hardly = 1e-3; // of what a patch may be bent
+    constexpr int rounds = 4;
+    bool bent = false;
+    for (Patch& piece : pieces) {
+        if (piece.triangles.size() < 3 || piece.energy <= hardly * limits.mean_energy * piece.area) {
+            continue;
+        }
+        bent = true;
+        auto relaxed = sew(patches, piece, {}, {}, limits, rounds);
+        if (relaxed && relaxed->energy < piece.energy) {
+            piece.energy = relaxed->energy;
+            for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+                std::copy_n(relaxed->places.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                            patches.places.begin() + 3 * static_cast<std::ptrdiff_t>(piece.triangles[i]));
+            }
+        }
+    }
+    return bent;
 }
 
 } // namespace vkbake

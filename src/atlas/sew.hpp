@@ -25,4 +25,10 @@ struct SewnPiece {
 [[nodiscard]] std::optional<SewnPiece> sew(Patches& patches, const Patch& first, const Patch& second,
                                            const RigidMotion& motion, const PatchLimits& limits, int rounds);
 
+/// The motion that brings these sides as near to those across as can be: least squares, weighed by length.
+[[nodiscard]] RigidMotion best_motion(const Patches& patches, std::span<const std::uint32_t> common);
+
+/// Lays each bent patch out anew where that succeeds. Whether there was one.
+[[nodiscard]] bool relax_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits);
+
 } // namespace vkbake

@@ -35,8 +35,9 @@ void add_sky_options(CLI::App& app, SkyOptions& options) {
 }
 
 void add_atlas_options(CLI::App& app, Settings& settings) {
-    app.add_option("--size", settings.size, "Side of a page, or of each object's map, in texels")
-        ->check(CLI::Range(1, 16384))
+    app.add_option("--size", settings.size,
+                   "Side of a page, or of each object's map, in texels; 0: the least that --density allows")
+        ->check(CLI::Range(0, 16384))
         ->capture_default_str();
     app.add_option_function<double>(
            "--density", [&settings](double density) { settings.density = density; },

@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "text.hpp"
 
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,6 +18,8 @@ struct InspectOptions {
     LoadSettings load;
     Settings settings;
     bool json = false;
+    bool uvs = false;
+    std::string uv_picture;
 };
 
 void print_inspection(const Inspection& inspection, const Settings& settings) {
@@ -57,6 +60,65 @@ void print_inspection(const Inspection& inspection, const Settings& settings) {
     }
 }
 
+void print_uv_figures(const UvFiguresOfObject& figures, const std::string& name) {
+    fmt::print("  {:<24.24}  {:>9}  {:>7}  {:>7.4f}  {:>11}  {:>8}  {:>8.4g} {:>8.4g} {:>8.4g}\n", name,
+               figures.triangles, figures.charts, figures.stretch, figures.overlapping, figures.mirrored,
+               figures.density_min, figures.density_median, figures.density_max);
+}
+
+void print_uvs(const UvReport& report) {
+    fmt::print("light-map UVs: {:.1f} % of {} covered\n", 100.0 * report.share,
+               plural(report.atlas.pages.size(), "page", "pages"));
+    for (std::size_t page = 0; page < report.atlas.pages.size(); ++page) {
+        const AtlasPage& of = report.atlas.pages[page];
+        fmt::print("  {}: {} x {} texels\n", of.name, of.width, of.height);
+    }
+    fmt::print("  {:<24}  {:>9}  {:>7}  {:>7}  {:>11}  {:>8}  texels/m {:>8} {:>8}\n", "object", "triangles", "charts",
+               "stretch", "overlapping", "mirrored", "median", "max");
+    for (const UvFiguresOfObject& object : report.objects) {
+        print_uv_figures(object, object.name);
+    }
+    print_uv_figures(report.all, "all");
+    for (const std::string& note : report.atlas.notes) {
+        fmt::print("  note: {}\n", note);
+    }
+}
+
+/// One file a page: NAME.png, or NAME-0.png, NAME-1.png …
+void write_uv_pictures(const UvReport& report, const std::filesystem::path& file) {
+    for (std::uint32_t page = 0; page < report.atlas.pages.size(); ++page) {
+        std::filesystem::path own = file;
+        if (report.atlas.pages.size() > 1) {
+            own.replace_filename(fmt::format("{}-{}{}", file.stem().string(), page, file.extension().string()));
+        }
+        write_image(own, draw_uvs(report.atlas, page));
+        fmt::print("{}\n", own.string());
+    }
+}
+
+int run_inspect(const InspectOptions& options) {
+    const Scene scene = load_scene(options.scene, options.load);
+    if (options.uvs || !options.uv_picture.empty()) {
+        const UvReport report = inspect_uvs(scene, options.settings);
+        if (options.uvs && options.json) {
+            fmt::print("{}\n", to_json(report));
+        } else if (options.uvs) {
+            print_uvs(report);
+        }
+        if (!options.uv_picture.empty()) {
+            write_uv_pictures(report, options.uv_picture);
+        }
+        return exit_done;
+    }
+    const Inspection inspection = inspect(scene, options.settings);
+    if (options.json) {
+        fmt::print("{}\n", to_json(inspection));
+    } else {
+        print_inspection(inspection, options.settings);
+    }
+    return exit_done;
+}
+
 } // namespace
 
 void add_inspect_command(CLI::App& app, Invocation& invocation) {
@@ -66,18 +128,12 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
     add_load_options(command, options->load);
     add_atlas_options(command, options->settings);
     add_light_options(command, options->settings);
+    command.add_flag("--uv-table", options->uvs,
+                     "Say what the light-map UVs are worth: charts, stretch, overlaps, density");
+    command.add_option("--uv-picture", options->uv_picture, "Draw the charts, a pixel a texel, one file a page")
+        ->type_name("FILE");
     command.add_flag("--json", options->json, "Print it as JSON");
-    command.final_callback([options, &invocation] {
-        invocation.run = [options] {
-            const Inspection inspection = inspect(load_scene(options->scene, options->load), options->settings);
-            if (options->json) {
-                fmt::print("{}\n", to_json(inspection));
-            } else {
-                print_inspection(inspection, options->settings);
-            }
-            return exit_done;
-        };
-    });
+    command.final_callback([options, &invocation] { invocation.run = [options] { return run_inspect(*options); }; });
 }
 
 } // namespace vkbake::cli

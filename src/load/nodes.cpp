@@ -192,7 +192,26 @@ private:
                                       .mesh = static_cast<std::uint32_t>(node.mesh),
                                       .linear = world.linear,
                                       .translation = world.translation,
+                                      .density = density_of(index, node),
                                       .source_node = static_cast<std::uint32_t>(index)});
+    }
+
+    /// What the node's extras.vkbake.density says, or else its mesh's.
+    double density_of(int index, const tinygltf::Node& node) {
+        for (const tinygltf::Value* extras :
+             {&node.extras, &m_data.meshes.at(static_cast<std::size_t>(node.mesh)).extras}) {
+            if (!extras->Has("vkbake") || !extras->Get("vkbake").Has("density")) {
+                continue;
+            }
+            const tinygltf::Value& value = extras->Get("vkbake").Get("density");
+            const double density = value.IsNumber() ? value.GetNumberAsDouble() : 0.0;
+            if (density >= 1e-3 && density <= 1e3) {
+                return density;
+            }
+            m_context.note("extras.vkbake.density of " + named(index) +
+                           " or its mesh is no number from 0.001 to 1000: left out");
+        }
+        return 1.0;
     }
 
     void place_camera(int index, const tinygltf::Node& node, const Transform& world) {

@@ -15,7 +15,8 @@ struct PlacedNodes {
 };
 
 /// The document's default scene; with a note the first one where none is said to be the default, or all root nodes
-/// where there is no scene. Rotations need not have unit length. A skinned mesh stands where its node stands, with a
+/// where there is no scene. Rotations need not have unit length. `extras.vkbake.density` of a node, or of
+/// its mesh, becomes Instance::density. A skinned mesh stands where its node stands, with a
 /// note. Throws Error{bad_input} where nodes form a cycle or have several parents, a scene lists a node that is no root
 /// or is listed twice, or a transform is not finite.
 [[nodiscard]] PlacedNodes place_nodes(Context& context, const Model& model);

@@ -61,6 +61,7 @@ Settings thesis_settings(int size) {
     Settings settings;
     settings.size = size;
     settings.layout = Layout::object;
+    settings.charts = ChartMaker::polypack;
     settings.accelerator = Accelerator::clusters;
     settings.sampler = Sampler::thesis;
     settings.triangle_test = TriangleTest::moller_trumbore;
@@ -72,6 +73,7 @@ Settings default_settings(int size) {
     Settings settings;
     settings.size = size;
     settings.layout = Layout::object;
+    settings.charts = ChartMaker::polypack; // the same texels as the thesis's method
     return settings;
 }
 

@@ -20,6 +20,7 @@ Settings made(int size) {
     Settings settings;
     settings.size = size;
     settings.uv = UvSource::make;
+    settings.charts = ChartMaker::polypack;
     return settings;
 }
 

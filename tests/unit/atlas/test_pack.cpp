@@ -10,6 +10,16 @@
 namespace vkbake {
 namespace {
 
+std::vector<ChartShape> shapes_of(const std::vector<TexelSize>& sizes) {
+    std::vector<ChartShape> shapes(sizes.size());
+    std::transform(sizes.begin(), sizes.end(), shapes.begin(), rectangle);
+    return shapes;
+}
+
+std::optional<std::vector<Placement>> pack(const std::vector<TexelSize>& sizes, const PageSettings& settings) {
+    return vkbake::pack(shapes_of(sizes), settings);
+}
+
 /// Counts each page's texels one by one.
 void expect_apart(const std::vector<TexelSize>& rectangles, const std::vector<Placement>& placements,
                   const PageSettings& settings) {
@@ -18,8 +28,8 @@ void expect_apart(const std::vector<TexelSize>& rectangles, const std::vector<Pl
     std::vector<std::vector<int>> pages;
     for (std::size_t r = 0; r < rectangles.size(); ++r) {
         const Placement& place = placements[r];
-        const int width = place.turned ? rectangles[r].height : rectangles[r].width;
-        const int height = place.turned ? rectangles[r].width : rectangles[r].height;
+        const int width = place.turns % 2 == 1 ? rectangles[r].height : rectangles[r].width;
+        const int height = place.turns % 2 == 1 ? rectangles[r].width : rectangles[r].height;
         ASSERT_GE(place.x, 0);
         ASSERT_GE(place.y, 0);
         ASSERT_LE(place.x + width, settings.side);
@@ -74,6 +84,23 @@ TEST(Pack, fills_a_page_that_equal_rectangles_fill_exactly) {
         std::fill(mixed.begin() + 32, mixed.end(), TexelSize{20, 5});
         EXPECT_TRUE(pack(mixed, {4 * 20 + 3 * gutter + (gutter > 0 ? 24 : 0), gutter, 1}));
     }
+}
+
+// Two L-shaped pieces of three quarters of a square fill a rectangle of 3 : 2 with two squares left for small ones.
+TEST(Pack, fills_the_holes_between_outlines) {
+    ChartShape corner{.width = 40, .height = 40};
+    for (int y = 0; y < 40; ++y) {
+        corner.first.push_back(static_cast<std::uint32_t>(y));
+        corner.runs.push_back({0, y < 20 ? 20 : 40});
+    }
+    corner.first.push_back(40);
+    EXPECT_EQ(corner.texel_count(), 1200.0);
+    const std::vector<ChartShape> pieces{corner, rectangle({20, 20})};
+    const auto placements = vkbake::pack(pieces, {40, 0, 1});
+    ASSERT_TRUE(placements);
+    EXPECT_EQ((*placements)[1].x, 20);
+    EXPECT_EQ((*placements)[1].y, 0);
+    EXPECT_FALSE(vkbake::pack(pieces, {40, 1, 1}));
 }
 
 TEST(Pack, turns_what_stands_too_high) {

@@ -1,7 +1,9 @@
 // What an unwrapper made of a surface.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -15,8 +17,21 @@ struct Unwrapped {
     std::vector<std::uint32_t> page; ///< one a triangle
     double pages_area = 0.0;         ///< texels²
     double density = 0.0;            ///< texels a metre
-    double chart_seconds = 0.0;      ///< where it tells them apart; else all of it is here
-    double pack_seconds = 0.0;
+    double wall_seconds = 0.0;
+    double cpu_seconds = 0.0; ///< of all threads: for machines that others use meanwhile
+};
+
+/// Wall and processor time since it was made.
+class Stopwatch {
+public:
+    void read(Unwrapped& result) const {
+        result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+        result.cpu_seconds = static_cast<double>(std::clock() - m_cpu) / CLOCKS_PER_SEC;
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+    std::clock_t m_cpu = std::clock();
 };
 
 } // namespace vkbake::bench

@@ -1,6 +1,5 @@
 #include "bench/atlas/xatlas_contender.hpp"
 
-#include <chrono>
 #include <memory>
 
 #include <xatlas.h>
@@ -10,10 +9,6 @@
 
 namespace vkbake::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// An object's triangles over welded vertices.
 struct WeldedMesh {
@@ -41,7 +36,7 @@ Unwrapped unwrap_by_xatlas(const Surface& surface, int size, int gutter) {
         meshes.push_back(weld_object(surface, object));
     }
     const std::unique_ptr<xatlas::Atlas, void (*)(xatlas::Atlas*)> atlas(xatlas::Create(), xatlas::Destroy);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     for (const WeldedMesh& mesh : meshes) {
         xatlas::MeshDecl declaration;
         declaration.vertexPositionData = mesh.vertices.data();
@@ -55,14 +50,12 @@ Unwrapped unwrap_by_xatlas(const Surface& surface, int size, int gutter) {
         }
     }
     xatlas::ComputeCharts(atlas.get());
-    Unwrapped result;
-    result.chart_seconds = seconds_since(start);
     xatlas::PackOptions options;
     options.padding = static_cast<std::uint32_t>(gutter);
     options.resolution = static_cast<std::uint32_t>(size);
-    const auto packing = Clock::now();
     xatlas::PackCharts(atlas.get(), options);
-    result.pack_seconds = seconds_since(packing);
+    Unwrapped result;
+    watch.read(result);
     result.density = atlas->texelsPerUnit; // a metre
     result.pages_area = static_cast<double>(atlas->width) * atlas->height * atlas->atlasCount;
     result.texels.resize(surface.positions.size());
