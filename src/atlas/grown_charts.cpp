@@ -91,7 +91,7 @@ public:
         // A small distortion's energy is twice what it adds to the L2 stretch.
         m_limits.mean_energy = 2.0 * (limits.stretch - 1.0);
         m_limits.triangle_energy = 25.0 * m_limits.mean_energy;
-        m_limits.crossing_length = limits.unfold_length;
+        m_limits.free_length = limits.free_length;
     }
 
     Pieces run() {

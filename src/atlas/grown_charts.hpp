@@ -13,13 +13,13 @@
 namespace vkbake {
 
 struct GrowthLimits {
-    double stretch = 1.01;      ///< L2 stretch of a chart, > 1
-    double unfold_length = 0.0; ///< bake-frame units: up to this size a chart may be unfolded across creases freely
+    double stretch = 1.01;    ///< L2 stretch of a chart, > 1
+    double free_length = 0.0; ///< bake-frame units: up to this size a chart may have any shape
 };
 
-/// Charts of the triangles that hang together by edges (corners of equal bake-frame position are one). Flat pieces and
-/// smooth ones come first; then pieces are joined across creases as far as what is small may be unfolded. Exactly no
-/// two triangles of a chart overlap in `flat`, none is mirrored (fronts turn clockwise in (u, v), v down), and each
+/// Charts of the triangles that hang together by edges (corners of equal bake-frame position are one): flat pieces and
+/// smooth ones, joined as far as the stretch allows; none goes across a crease for most of a joint. Exactly no two
+/// triangles of a chart overlap in `flat`, none is mirrored (fronts turn clockwise in (u, v), v down), and each
 /// chart lies so that most of its outline is parallel to the axes. Triangles without area are folded onto a corner of a
 /// neighbour. `triangles`: those of one object, in canonical order. Writes `flat` for them. Charts come in the order of
 /// their first triangles. The result does not depend on threads.

@@ -92,7 +92,7 @@ public:
         for (std::uint32_t triangle = 0; triangle < surface.triangle_count(); ++triangle) {
             area += surface_area(surface, triangle);
         }
-        m_unfold_length = 0.1 * std::sqrt(area);
+        m_free_length = 0.1 * std::sqrt(area);
         m_atlas.uvs.resize(surface.positions.size());
         m_atlas.page.resize(surface.triangle_count(), 0);
         m_atlas.chart.resize(surface.triangle_count(), no_chart);
@@ -141,7 +141,7 @@ private:
         if (!object.kept) {
             object.charts =
                 m_settings.charts == ChartMaker::grown
-                    ? make_grown_charts(m_surface, object.triangles, {m_settings.stretch, m_unfold_length}, m_flat)
+                    ? make_grown_charts(m_surface, object.triangles, {m_settings.stretch, m_free_length}, m_flat)
                     : make_polypacks(m_surface, object.triangles, m_flat);
             for (Chart& chart : object.charts) {
                 chart.scale *= wanted_density(index);
@@ -340,7 +340,7 @@ private:
     const Scene& m_scene;
     const Surface& m_surface;
     const Settings& m_settings;
-    double m_unfold_length = 0.0;
+    double m_free_length = 0.0;
     std::vector<glm::vec2> m_flat;     ///< 3 a triangle: see Chart
     std::vector<std::uint32_t> m_rank; ///< by triangle: its place in canonical order
     std::vector<Object> m_objects;

@@ -131,6 +131,12 @@ private:
         if (m_pieces[a].triangles.size() < m_pieces[b].triangles.size()) {
             std::swap(a, b);
         }
+        // Light changes abruptly across a crease: in one chart the faces' texels would be mixed along it, and be seen
+        // as a bright line in a dark corner.
+        const Joint& joint = m_own[a].joints.at(b);
+        if (joint.flat_length <= 0.5 * joint.length) {
+            return;
+        }
         std::vector<std::uint32_t> common; // sides of b
         for (const std::uint32_t triangle : m_pieces[b].triangles) {
             for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
@@ -142,28 +148,17 @@ private:
         }
         std::stable_sort(common.begin(), common.end(),
                          [&](std::uint32_t s, std::uint32_t t) { return length_of(s) > length_of(t); });
-        const Joint joint = m_own[a].joints.at(b);
-        const bool smooth = joint.flat_length > 0.5 * joint.length;
-        const std::size_t tries = smooth ? 1 : 4;
-        std::size_t tried = 0;
         std::vector<bool> met(common.size(), false);
-        for (std::size_t i = 0; i < common.size() && tried < tries; ++i) {
-            if (!met[i]) {
-                ++tried;
-                if (lay_beside(a, b, common, hinge_motion(common[i]), i, met, 1e-3)) {
-                    return;
-                }
-            }
+        if (common.empty() || lay_beside(a, b, common, hinge_motion(common[0]), 0, met, 1e-3)) {
+            return;
         }
-        if (!common.empty() && smooth) {
-            // What is small beside the other must fit without the other's being laid out anew.
-            const std::size_t count = m_pieces[b].triangles.size();
-            if (count <= 20 && lay_beside(a, b, common, best_motion(m_all, common), 0, met, 1.0)) {
-                return;
-            }
-            if (count > 20 || 20 * count > m_pieces[a].triangles.size()) {
-                sew_on(a, b, common);
-            }
+        // What is small beside the other must fit without the other's being laid out anew.
+        const std::size_t count = m_pieces[b].triangles.size();
+        if (count <= 20 && lay_beside(a, b, common, best_motion(m_all, common), 0, met, 1.0)) {
+            return;
+        }
+        if (count > 20 || 20 * count > m_pieces[a].triangles.size()) {
+            sew_on(a, b, common);
         }
     }
 
@@ -266,14 +261,8 @@ private:
 
     /// Small things may be laid out at will; large ones only where the page's space is not wasted.
     [[nodiscard]] bool good_shape(std::uint32_t a, std::uint32_t b, const PlaneBox& box) const {
-        if (box.longest() <= m_limits.crossing_length) {
+        if (box.longest() <= m_limits.free_length) {
             return true;
-        }
-        // A strip of walls would be too long for the page, and its length would limit the density of all.
-        const Joint& joint = m_own[a].joints.at(b);
-        if (joint.flat_length < 0.5 * joint.length &&
-            box.longest() > 1.001 * std::max(m_own[a].box.longest(), m_own[b].box.longest())) {
-            return false;
         }
         const double area = m_pieces[a].area + m_pieces[b].area;
         return box.area() * 0.95 <= m_own[a].box.area() + m_own[b].box.area() || area >= 0.75 * box.area();

@@ -41,7 +41,7 @@ struct Patches {
 struct PatchLimits {
     double mean_energy = 0.0;     ///< of Distortion::energy(), over the area
     double triangle_energy = 0.0; ///< of any triangle
-    double crossing_length = 0.0; ///< longest side of a box that may become longer by going across a crease
+    double free_length = 0.0;     ///< up to this side of their box patches may be joined to any shape
 };
 
 /// Grows patches over a component (triangles that hang together by sides, ascending) until each triangle with area has
@@ -50,10 +50,9 @@ struct PatchLimits {
 [[nodiscard]] std::vector<Patch> grow_patches(Patches& patches, const std::vector<std::uint32_t>& component,
                                               const PatchLimits& limits);
 
-/// Joins patches that are neighbours on the surface, those first that share most of their outlines, flat joints before
-/// creases: one is moved rigidly until their common sides meet, which may lay a box out as a cross. Where that would
-/// make patches overlap they stay apart. Where the joint is smooth but does not fit rigidly, both are sewn together and
-/// relaxed as one, if they stay within the limits.
+/// Joins patches that are neighbours on the surface, those first that share most of their outlines, but not across
+/// creases: one is moved rigidly until their common sides meet. Where that would make patches overlap they stay apart.
+/// Where they do not fit rigidly, both are sewn together and relaxed as one, if they stay within the limits.
 void merge_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits);
 
 } // namespace vkbake
