@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "amount.hpp"
 #include "atlas/make_atlas.hpp"
 #include "support.hpp"
 #include "surface/make_surface.hpp"
@@ -47,7 +48,7 @@ TEST(MadeCharts, no_triangles_give_no_page) {
 TEST(MadeCharts, a_cube_gives_six_squares_of_the_greatest_density) {
     const Scene scene = cube();
     const Surface surface = make_surface(scene);
-    for (const int size : {16, 64, 100, 256, 1024}) {
+    for (const int size : {16, 64, 100, 256, amount(1024, 128)}) {
         for (const int gutter : {0, 1, 2, 5}) {
             Settings settings = made(size);
             settings.gutter = gutter;
@@ -226,7 +227,7 @@ TEST(MadeCharts, needles_hold_every_promise) {
     }
     add_triangle(primitive, {2.0F, 0.0F, 0.0F}, {3.0F, 1.0F, 0.0F}, {2.5F, 0.50000006F, 0.0F});
     const Surface surface = make_surface(scene);
-    const Atlas atlas = make_atlas(scene, surface, made(4000));
+    const Atlas atlas = make_atlas(scene, surface, made(amount(4000, 1000)));
     expect_sound(surface, atlas);
     expect_one_density(surface, atlas);
 }
