@@ -108,6 +108,22 @@ Chart bounded_chart(std::vector<std::uint32_t> triangles, std::span<const glm::v
     return chart;
 }
 
+std::vector<Chart> charts_of(std::span<const std::vector<std::uint32_t>> pieces, std::span<const glm::vec2> local_flat,
+                             std::span<const std::uint32_t> triangles, std::span<glm::vec2> flat) {
+    for (std::size_t local = 0; local < triangles.size(); ++local) {
+        std::copy_n(local_flat.begin() + static_cast<std::ptrdiff_t>(3 * local), 3,
+                    flat.begin() + 3 * static_cast<std::ptrdiff_t>(triangles[local]));
+    }
+    std::vector<Chart> charts;
+    charts.reserve(pieces.size());
+    for (const auto& members : pieces) {
+        std::vector<std::uint32_t> numbers(members.size());
+        std::ranges::transform(members, numbers.begin(), [&](std::uint32_t local) { return triangles[local]; });
+        charts.push_back(bounded_chart(std::move(numbers), flat));
+    }
+    return charts;
+}
+
 void fit_to_texels(Chart& chart, std::span<const glm::vec2> flat) {
     const glm::dvec2 extent = chart.upper - chart.lower;
     std::array<glm::dvec2, 2> straight{}; // by border, lower and upper: length along it, by axis

@@ -33,6 +33,12 @@ struct Chart {
 /// A chart of these triangles (at least one) with its box.
 [[nodiscard]] Chart bounded_chart(std::vector<std::uint32_t> triangles, std::span<const glm::vec2> flat);
 
+/// The charts of an object's triangles. `pieces`: each chart's triangles by their place in `triangles`, ascending;
+/// `local_flat`: the flat coordinates in that numbering, which are written to `flat`.
+[[nodiscard]] std::vector<Chart> charts_of(std::span<const std::vector<std::uint32_t>> pieces,
+                                           std::span<const glm::vec2> local_flat,
+                                           std::span<const std::uint32_t> triangles, std::span<glm::vec2> flat);
+
 /// Sets how the chart wants to lie: borders that are straight (at least a quarter of the box's side lies along the
 /// axis) want texel centres; else the middle of the largest triangle does.
 void fit_to_texels(Chart& chart, std::span<const glm::vec2> flat);

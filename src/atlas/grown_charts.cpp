@@ -154,14 +154,7 @@ private:
             return;
         }
         TriangleTree tree(m_flat, piece);
-        bool overlaps = false;
-        for (std::size_t i = 0; i < piece.size() && !overlaps; ++i) {
-            tree.visit_overlaps(piece[i], [&](std::uint32_t) {
-                overlaps = true;
-                return false;
-            });
-        }
-        if (!overlaps) {
+        if (std::ranges::none_of(piece, [&](std::uint32_t triangle) { return tree.overlaps_any(triangle); })) {
             charts.push_back(std::move(piece));
             return;
         }
@@ -221,18 +214,9 @@ std::vector<Chart> make_grown_charts(const Surface& surface, std::span<const std
                                      const GrowthLimits& limits, std::span<glm::vec2> flat) {
     GrownCharts growth(surface, triangles, limits);
     const Pieces pieces = growth.run();
-    for (std::size_t local = 0; local < triangles.size(); ++local) {
-        std::copy_n(growth.flat().begin() + static_cast<std::ptrdiff_t>(3 * local), 3,
-                    flat.begin() + 3 * static_cast<std::ptrdiff_t>(triangles[local]));
-    }
-    std::vector<Chart> charts;
-    charts.reserve(pieces.size());
-    for (const auto& members : pieces) {
-        std::vector<std::uint32_t> numbers(members.size());
-        std::transform(members.begin(), members.end(), numbers.begin(),
-                       [&](std::uint32_t local) { return triangles[local]; });
-        charts.push_back(bounded_chart(std::move(numbers), flat));
-        fit_to_texels(charts.back(), flat);
+    std::vector<Chart> charts = charts_of(pieces, growth.flat(), triangles, flat);
+    for (Chart& chart : charts) {
+        fit_to_texels(chart, flat);
     }
     return charts;
 }

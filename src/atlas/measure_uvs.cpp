@@ -91,14 +91,8 @@ std::size_t count_overlapping(const MeasuredUvs& uvs) {
     std::size_t count = 0;
     for (const auto& triangles : pages) {
         const TriangleTree tree(uvs.texels, triangles);
-        for (const std::uint32_t triangle : triangles) {
-            bool overlaps = false;
-            tree.visit_overlaps(triangle, [&](std::uint32_t) {
-                overlaps = true;
-                return false;
-            });
-            count += overlaps ? 1 : 0;
-        }
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(triangles, [&](std::uint32_t triangle) { return tree.overlaps_any(triangle); }));
     }
     return count;
 }

@@ -122,14 +122,7 @@ private:
             return;
         }
         TriangleTree tree(m_flat, piece);
-        bool overlaps = false;
-        for (std::size_t i = 0; i < piece.size() && !overlaps; ++i) {
-            tree.visit_overlaps(piece[i], [&](std::uint32_t) {
-                overlaps = true;
-                return false;
-            });
-        }
-        if (!overlaps) {
+        if (std::ranges::none_of(piece, [&](std::uint32_t triangle) { return tree.overlaps_any(triangle); })) {
             m_charts.push_back(std::move(piece));
             return;
         }
@@ -173,19 +166,7 @@ std::vector<Chart> make_polypacks(const Surface& surface, std::span<const std::u
                                   std::span<glm::vec2> flat) {
     PolypackMaker maker(surface, triangles);
     maker.run();
-    for (std::size_t local = 0; local < triangles.size(); ++local) {
-        std::copy_n(maker.flat().begin() + static_cast<std::ptrdiff_t>(3 * local), 3,
-                    flat.begin() + 3 * static_cast<std::ptrdiff_t>(triangles[local]));
-    }
-    std::vector<Chart> charts;
-    charts.reserve(maker.charts().size());
-    for (const auto& members : maker.charts()) {
-        std::vector<std::uint32_t> numbers(members.size());
-        std::transform(members.begin(), members.end(), numbers.begin(),
-                       [&](std::uint32_t local) { return triangles[local]; });
-        charts.push_back(bounded_chart(std::move(numbers), flat));
-    }
-    return charts;
+    return charts_of(maker.charts(), maker.flat(), triangles, flat);
 }
 
 } // namespace vkbake

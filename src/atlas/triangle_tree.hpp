@@ -30,6 +30,15 @@ public:
         visit_overlaps_of(triangle, no_group, visit);
     }
 
+    [[nodiscard]] bool overlaps_any(std::uint32_t triangle) const {
+        bool found = false;
+        visit_overlaps(triangle, [&](std::uint32_t) {
+            found = true;
+            return false;
+        });
+        return found;
+    }
+
     /// Puts a stored triangle into a group; it leaves any other that it was in. Has no effect on one without area.
     void mark(std::uint32_t triangle, std::uint32_t group);
 

@@ -81,9 +81,17 @@ std::size_t recommended(const std::vector<TradePoint>& points) {
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream stream(file, std::ios::binary);
+    std::filesystem::path unfinished = file;
+    unfinished += ".part";
+    std::ofstream stream(unfinished, std::ios::binary);
     stream << text;
-    if (!stream.flush()) {
+    stream.close();
+    std::error_code failed;
+    if (stream) {
+        std::filesystem::rename(unfinished, file, failed);
+    }
+    if (!stream || failed) {
+        std::filesystem::remove(unfinished, failed);
         throw Error(ErrorKind::output, file.string() + ": cannot be written; choose another folder with -o");
     }
 }

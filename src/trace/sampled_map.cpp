@@ -10,14 +10,6 @@
 
 namespace vkbake {
 
-RayCounts sum_of(const Workers& workers) {
-    RayCounts total;
-    for (const auto& worker : workers) {
-        total += worker->counts();
-    }
-    return total;
-}
-
 double MapEstimate::relative_rmse() const { return variance > 0.0 ? std::sqrt(variance) / mean : 0.0; }
 
 SampledMap::SampledMap(std::span<const TexelTile> tiles, const Settings& settings, float max_distance, double intensity)

@@ -21,8 +21,6 @@ namespace vkbake {
 /// One a worker, each for itself in memory: what they write while tracing shares no cache line.
 using Workers = std::vector<std::unique_ptr<TileTracer>>;
 
-[[nodiscard]] RayCounts sum_of(const Workers& workers);
-
 /// The error of a whole map, of what was sampled so far.
 struct MapEstimate {
     double mean = 0.0;     ///< luminance over the texels

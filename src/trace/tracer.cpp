@@ -36,8 +36,19 @@ TriangleAccelerator make_accelerator(const Surface& surface, const Settings& set
             {settings.accelerator, settings.triangle_test, settings.cluster_splits, settings.threads}};
 }
 
+template<typename Worker>
+RayCounts sum_of(const std::vector<std::unique_ptr<Worker>>& workers) {
+    RayCounts total;
+    for (const auto& worker : workers) {
+        total += worker->counts();
+    }
+    return total;
+}
+
 /// Tells how much of the work is done; throws where it is to stop, but not when there was nothing to do.
-std::function<bool(std::size_t)> report_of(std::size_t tiles, const Workers& workers, const TraceProgress& progress) {
+template<typename Worker>
+std::function<bool(std::size_t)> report_of(std::size_t tiles, const std::vector<std::unique_ptr<Worker>>& workers,
+                                           const TraceProgress& progress) {
     if (!progress) {
         return {};
     }
@@ -179,32 +190,18 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
     for (auto& worker : workers) {
         worker = std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->accelerator);
     }
-    const auto rays = [&] {
-        RayCounts counts;
-        for (const auto& worker : workers) {
-            counts += worker->counts();
-        }
-        return counts.rays;
-    };
-
     LightMap map{.image = empty_image(geometry)};
     const TileLoop loop{.count = tiles.size(),
                         .rays_a_job = std::uint64_t{plan.samples()} * RayBlock::lanes,
                         .threads = m_state->threads,
-                        .report = [&](std::size_t done) {
-                            const auto all = static_cast<double>(std::max<std::size_t>(tiles.size(), 1));
-                            return !progress || progress(static_cast<double>(done) / all, rays(), 0.0);
-                        }};
-    const std::size_t done = run(loop, [&](std::size_t tile, std::size_t worker) {
+                        .report = report_of(tiles.size(), workers, progress)};
+    run(loop, [&](std::size_t tile, std::size_t worker) {
         workers[worker]->trace(tiles[tile], [&](std::uint32_t texel, const glm::dvec3& sum) {
             map.image.texels[texel] = glm::vec4(glm::vec3(sum * plan.scale()), 1.0F);
             map.image.coverage[texel] = 1.0F;
         });
     });
-    if (done < tiles.size()) {
-        throw Error(ErrorKind::interrupted, "interrupted");
-    }
-    map.statistics.bounce_rays = rays();
+    map.statistics.bounce_rays = sum_of(workers).rays;
     map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return map;
 }

@@ -11,7 +11,7 @@
 #include "base/barycentric.hpp"
 #include "bounces.hpp"
 #include "configuration_factors.hpp"
-#include "extremes/host_bake.hpp"
+#include "host_bake.hpp"
 #include "same_bits.hpp"
 #include "stage_clock.hpp"
 
@@ -52,18 +52,13 @@ Primitive inwards(Primitive box) {
     return box;
 }
 
-void paint(Scene& scene, std::size_t mesh, const Material& material) {
-    scene.materials.push_back(material);
-    scene.meshes[mesh].primitives[0].material = static_cast<std::uint32_t>(scene.materials.size() - 1);
-}
-
 TEST(Bounces, AFurnaceHasItsPartialSums) {
     // A closed room emits e and reflects ρ everywhere: what arrives after n bounces is e · (1 + ρ + … + ρⁿ⁻¹).
     Scene room = test::scene_of(inwards(test::box_of({-2, 0, -1}, {2, 2, 1})));
     Material material;
     material.base_color = {0.5F, 0.8F, 0.0F, 1.0F};
     material.emissive = {1.0F, 0.25F, 3.0F};
-    paint(room, 0, material);
+    test::paint(room, 0, material);
     for (const std::uint32_t bounces : {1U, 2U, 5U}) {
         const Bake bake = bounced(room, few_rays(bounces));
         glm::dvec3 expected(0.0);
@@ -113,14 +108,13 @@ double light_near_origin(const Bake& bake, double radius) {
 Scene lamp_over_floor(bool looks_down, bool double_sided) {
     Scene scene = test::scene_of(test::floor_of(0.25F));
     Primitive lamp = test::floor_of(1.0F);
-    scene.materials = {{.base_color = glm::vec4(0, 0, 0, 1)}};
-    scene.meshes[0].primitives[0].material = 0;
+    test::paint(scene, 0, {.base_color = glm::vec4(0, 0, 0, 1)});
     test::add_object(scene, "lamp", looks_down ? inwards(lamp) : lamp, {0.0, 1.0, 0.0});
     Material material;
     material.base_color = glm::vec4(0, 0, 0, 1);
     material.emissive = glm::vec3(7.0F);
     material.double_sided = double_sided;
-    paint(scene, 1, material);
+    test::paint(scene, 1, material);
     return scene;
 }
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "amount.hpp"
-#include "extremes/host_bake.hpp"
 #include "highway_targets.hpp"
+#include "host_bake.hpp"
 #include "unit/write/small_scene.hpp"
 #include "unit/write/test_folder.hpp"
 #include "vkbake/vkbake.hpp"

@@ -1,7 +1,7 @@
 // Sizes that one frame of floats cannot hold together: baked right, or refused by name.
 #include <gtest/gtest.h>
 
-#include "extremes/host_bake.hpp"
+#include "host_bake.hpp"
 #include "surface/resolution.hpp"
 
 namespace vkbake::test {

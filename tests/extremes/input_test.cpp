@@ -1,7 +1,7 @@
 // Files that ask for what no file should.
 #include <gtest/gtest.h>
 
-#include "extremes/host_bake.hpp"
+#include "host_bake.hpp"
 #include "surface/resolution.hpp"
 #include "unit/load/document_builder.hpp"
 

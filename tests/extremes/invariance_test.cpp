@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "amount.hpp"
-#include "extremes/host_bake.hpp"
+#include "host_bake.hpp"
 
 namespace vkbake::test {
 namespace {

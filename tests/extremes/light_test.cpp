@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "extremes/host_bake.hpp"
+#include "host_bake.hpp"
 #include "imageio/encode.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/sky_sum.hpp"

@@ -3,7 +3,7 @@
 
 #include "amount.hpp"
 #include "closed_form/configuration_factors.hpp"
-#include "extremes/host_bake.hpp"
+#include "host_bake.hpp"
 
 namespace vkbake::test {
 namespace {

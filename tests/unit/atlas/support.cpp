@@ -89,6 +89,14 @@ std::vector<std::int64_t> rasterise(const Atlas& atlas, std::uint32_t page) {
 
 } // namespace
 
+Settings made_by(ChartMaker charts, int size) {
+    Settings settings;
+    settings.size = size;
+    settings.uv = UvSource::make;
+    settings.charts = charts;
+    return settings;
+}
+
 Scene empty_scene() {
     Scene scene;
     scene.name = "test";

@@ -18,6 +18,9 @@ namespace vkbake::test {
 /// A scene of one mesh with one primitive, to be filled, and one instance of it.
 Scene empty_scene();
 
+/// UVs are made, on pages of that size.
+Settings made_by(ChartMaker charts, int size);
+
 /// Adds a quad of two triangles, counter-clockwise from the front, with vertices of its own.
 void add_quad(Primitive& primitive, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d);
 

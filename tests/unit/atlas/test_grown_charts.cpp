@@ -15,13 +15,7 @@ namespace {
 
 using namespace test; // NOLINT(google-build-using-namespace): the helpers of these tests
 
-Settings grown(int size) {
-    Settings settings;
-    settings.size = size;
-    settings.uv = UvSource::make;
-    settings.charts = ChartMaker::grown;
-    return settings;
-}
+Settings grown(int size) { return made_by(ChartMaker::grown, size); }
 
 UvFigures figures_of(const Surface& surface, const Atlas& atlas) {
     std::vector<glm::vec2> texels;

@@ -17,13 +17,7 @@ namespace {
 
 using namespace test; // NOLINT(google-build-using-namespace): the helpers of these tests
 
-Settings made(int size) {
-    Settings settings;
-    settings.size = size;
-    settings.uv = UvSource::make;
-    settings.charts = ChartMaker::polypack;
-    return settings;
-}
+Settings made(int size) { return made_by(ChartMaker::polypack, size); }
 
 void expect_good(const Surface& surface, const Atlas& atlas, const Settings& settings) {
     expect_sound(surface, atlas);

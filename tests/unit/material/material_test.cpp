@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "atlas/make_atlas.hpp"
-#include "extremes/host_bake.hpp"
 #include "geometry_image/reference.hpp"
+#include "host_bake.hpp"
 #include "material/color_texture.hpp"
 #include "material/surface_colors.hpp"
 
@@ -74,18 +74,11 @@ SurfaceColors colors_of(const Scene& scene, const std::vector<ColorTexture>& tex
     return make_surface_colors(scene, surface, reference_geometry_image(surface, atlas, 0), textures);
 }
 
-Scene floor_with(const Material& material) {
-    Scene scene = test::scene_of(test::floor_of(1.0F));
-    scene.materials = {material};
-    scene.meshes[0].primitives[0].material = 0;
-    return scene;
-}
-
 TEST(SurfaceColors, AlbedoIsTheProductThatGltfHas) {
-    Scene scene = floor_with({.base_color = {0.5F, 1.0F, 0.25F, 1.0F},
-                              .base_color_texture = TextureUse{},
-                              .metallic = 0.5F,
-                              .metallic_texture = TextureUse{.image = 1}});
+    Scene scene = test::painted_floor({.base_color = {0.5F, 1.0F, 0.25F, 1.0F},
+                                       .base_color_texture = TextureUse{},
+                                       .metallic = 0.5F,
+                                       .metallic_texture = TextureUse{.image = 1}});
     scene.images.resize(2);
     Primitive& floor = scene.meshes[0].primitives[0];
     floor.tex_coords[0].assign(4, glm::vec2(0.5F));
@@ -103,14 +96,15 @@ TEST(SurfaceColors, AlbedoIsTheProductThatGltfHas) {
 }
 
 TEST(SurfaceColors, EmissionAboveOneStays) {
-    const SurfaceColors colors = colors_of(floor_with({.emissive = {12.0F, 0.0F, 0.5F}}), {});
+    const SurfaceColors colors = colors_of(test::painted_floor({.emissive = {12.0F, 0.0F, 0.5F}}), {});
     ASSERT_EQ(colors.emission.size(), colors.albedo.size());
     EXPECT_EQ(colors.emission.at(4 * 9 + 4), glm::vec3(12.0F, 0.0F, 0.5F));
     EXPECT_EQ(colors.albedo.at(4 * 9 + 4), glm::vec3(1.0F));
 }
 
 TEST(SurfaceColors, OnlyWhatIsNeededIsRead) {
-    Scene scene = floor_with({.base_color = glm::vec4(0, 0, 0, 1), .base_color_texture = TextureUse{.image = 0}});
+    Scene scene =
+        test::painted_floor({.base_color = glm::vec4(0, 0, 0, 1), .base_color_texture = TextureUse{.image = 0}});
     scene.images.resize(3);
     scene.materials.push_back({.metallic_texture = TextureUse{.image = 1}, .emissive_texture = TextureUse{.image = 2}});
     // Black reflects nothing; an emissive texture whose factor is 0 emits nothing.

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "extremes/host_bake.hpp"
+#include "host_bake.hpp"
 #include "vkbake/plan.hpp"
 
 namespace vkbake {
@@ -22,39 +22,32 @@ PlanEntry entry(const Scene& scene, const Settings& settings, const std::string&
 
 bool says(const PlanEntry& entry, const std::string& words) { return entry.reason.find(words) != std::string::npos; }
 
-Scene painted_floor(const Material& material) {
-    Scene scene = test::scene_of(test::floor_of(1.0F));
-    scene.materials = {material};
-    scene.meshes[0].primitives[0].material = 0;
-    return scene;
-}
-
 TEST(Plan, SaysWhatBouncesWouldBring) {
-    const Scene grey = painted_floor({.base_color = {0.5F, 0.25F, 0.25F, 1.0F}});
+    const Scene grey = test::painted_floor({.base_color = {0.5F, 0.25F, 0.25F, 1.0F}});
     Settings settings;
     EXPECT_FALSE(entry(grey, settings, "bounces").modelled);
     EXPECT_TRUE(says(entry(grey, settings, "bounces"), "up to 50 %"));
     settings.bounces = 3;
     EXPECT_TRUE(entry(grey, settings, "bounces").modelled);
     EXPECT_TRUE(says(entry(grey, settings, "bounces"), "at most 12.5 %")); // 0.5³
-    EXPECT_FALSE(entry(painted_floor({.metallic = 1.0F}), settings, "bounces").modelled);
+    EXPECT_FALSE(entry(test::painted_floor({.metallic = 1.0F}), settings, "bounces").modelled);
     settings.mode = Mode::ao;
     EXPECT_FALSE(entry(grey, settings, "bounces").modelled);
     EXPECT_FALSE(entry(grey, settings, "sky").modelled);
 }
 
 TEST(Plan, EmissionComesWithTheFirstBounce) {
-    const Scene lamp = painted_floor({.emissive = {0.0F, 3.0F, 0.0F}});
+    const Scene lamp = test::painted_floor({.emissive = {0.0F, 3.0F, 0.0F}});
     Settings settings;
     EXPECT_FALSE(entry(lamp, settings, "emission").modelled);
     EXPECT_TRUE(says(entry(lamp, settings, "emission"), "1 of 1 materials"));
     settings.bounces = 1;
     EXPECT_TRUE(entry(lamp, settings, "emission").modelled);
-    EXPECT_FALSE(entry(painted_floor({}), settings, "emission").modelled);
+    EXPECT_FALSE(entry(test::painted_floor({}), settings, "emission").modelled);
 }
 
 TEST(Plan, TexturesAreReadForBouncesOnly) {
-    Scene scene = painted_floor({.base_color_texture = TextureUse{}});
+    Scene scene = test::painted_floor({.base_color_texture = TextureUse{}});
     scene.images.resize(1);
     Settings settings;
     EXPECT_FALSE(entry(scene, settings, "albedo textures").modelled);
@@ -63,8 +56,9 @@ TEST(Plan, TexturesAreReadForBouncesOnly) {
 }
 
 TEST(Plan, SaysThatAlphaIsNotModelled) {
-    EXPECT_TRUE(says(entry(painted_floor({}), {}, "alpha"), "opaque"));
-    EXPECT_TRUE(says(entry(painted_floor({.alpha_mode = AlphaMode::mask}), {}, "alpha"), "1 of 1 materials are MASK"));
+    EXPECT_TRUE(says(entry(test::painted_floor({}), {}, "alpha"), "opaque"));
+    EXPECT_TRUE(
+        says(entry(test::painted_floor({.alpha_mode = AlphaMode::mask}), {}, "alpha"), "1 of 1 materials are MASK"));
 }
 
 } // namespace

@@ -148,6 +148,18 @@ inline Scene scene_of(Primitive primitive, const glm::dvec3& translation = {},
     return scene;
 }
 
+/// Gives the first primitive of a mesh a material of its own.
+inline void paint(Scene& scene, std::size_t mesh, const Material& material) {
+    scene.materials.push_back(material);
+    scene.meshes[mesh].primitives[0].material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+inline Scene painted_floor(const Material& material) {
+    Scene scene = scene_of(floor_of(1.0F));
+    paint(scene, 0, material);
+    return scene;
+}
+
 inline glm::dmat3 odd_rotation() { return glm::dmat3(glm::rotate(glm::dmat4(1.0), 0.7, glm::dvec3(1.0, 2.0, 3.0))); }
 
 /// A floor with a turned box, a mirrored and stretched sphere and a block that stands on it.
