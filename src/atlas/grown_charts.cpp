@@ -65,7 +65,7 @@ glm::dvec2 outline_direction(const Patches& patches, const Patch& piece) {
                 const double length = glm::length(along);
                 if (length > 0.0) {
                     visit(along / length, length,
-                          static_cast<std::size_t>(along.y / (along.x + along.y) * bins + 0.5) % bins);
+                          static_cast<std::size_t>(std::lround(along.y / (along.x + along.y) * bins)) % bins);
                 }
             }
         }

@@ -30,7 +30,7 @@ public:
         const int needed = longest_run(shape, widest);
         int suspect = widest; // the row that refused last: likely to refuse again
         for (int y = begin; y + shape.height <= std::min(end, m_side); ++y) {
-            if (m_longest[static_cast<std::size_t>(y + widest)] < needed) {
+            if (m_longest[static_cast<std::size_t>(y) + static_cast<std::size_t>(widest)] < needed) {
                 continue;
             }
             for (int x = 0; x + shape.width <= m_side;) {
@@ -178,7 +178,7 @@ private:
     using Kind = std::tuple<int, int, int, bool>;
 
     static int step_of(int length) {
-        const int octave = std::bit_width(static_cast<unsigned>(length));
+        const auto octave = static_cast<int>(std::bit_width(static_cast<unsigned>(length)));
         return octave <= 3 ? length : 4 * octave + (length >> (octave - 3)) % 4;
     }
 

@@ -138,15 +138,15 @@ private:
             box.add(m_piece.places[corner]);
             length += glm::length(m_piece.places[corner] - m_piece.places[corner % 3 == 2 ? corner - 2 : corner + 1]);
         }
-        PlaneGrid grid(length / static_cast<double>(m_piece.places.size()));
+        PlaneGrid outline(length / static_cast<double>(m_piece.places.size()));
         for (std::size_t local = 0; local < inner.size(); ++local) {
             if (inner[local] < 3) {
                 const PlaneTriangle triangle{m_piece.places[3 * local], m_piece.places[3 * local + 1],
                                              m_piece.places[3 * local + 2]};
-                if (grid.meets(triangle, 1e-9 * box.longest())) {
+                if (outline.meets(triangle, 1e-9 * box.longest())) {
                     return true;
                 }
-                grid.add(triangle);
+                outline.add(triangle);
             }
         }
         return false;

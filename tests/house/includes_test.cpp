@@ -56,7 +56,8 @@ std::string folder_of(const std::string& file) {
     return end == std::string::npos ? "pipeline" : file.substr(begin, end - begin);
 }
 
-const std::set<std::string> stages{"load", "surface", "atlas", "geometry_image", "material", "trace", "finish", "write", "preview"};
+const std::set<std::string> stages{"load",  "surface", "atlas", "geometry_image", "material",
+                                   "trace", "finish",  "write", "preview"};
 
 /// Beside base, its own folder and the public types.
 const std::map<std::string, std::set<std::string>> allowed{
@@ -64,7 +65,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"gpu", {}},         {"load", {"imageio"}}, {"surface", {}},
     {"atlas", {}},       {"trace", {"bvh"}},    {"geometry_image", {"gpu"}},
     {"finish", {"gpu"}}, {"preview", {"gpu"}},  {"write", {"imageio"}},
-    {"cli", {}},        {"material", {}},
+    {"cli", {}},         {"material", {}},
 };
 
 TEST(House, NoFolderIncludesWhatItMayNot) {

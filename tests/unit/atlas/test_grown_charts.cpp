@@ -149,8 +149,9 @@ TEST(GrownCharts, every_chart_holds_a_texel_centre) {
     std::uniform_real_distribution<float> place(0.0F, 0.3F);
     Scene scene = empty_scene();
     for (int i = 0; i < 300; ++i) {
+        const int row = i / 20;
         const float x = 5.0F * static_cast<float>(i % 20);
-        const float y = 5.0F * static_cast<float>(i % 300 / 20);
+        const float y = 5.0F * static_cast<float>(row);
         const auto point = [&] {
             return glm::vec3(x + place(random) * (i % 3 == 0 ? 10.0F : 1.0F), y + place(random), 0);
         };
@@ -169,7 +170,8 @@ TEST(GrownCharts, every_chart_holds_a_texel_centre) {
         }
         bool holds = false;
         for (int k = 0; k < 256 * 256 && !holds; ++k) {
-            const glm::dvec2 centre(k % 256 + 0.5, k / 256 + 0.5);
+            const int row = k / 256;
+            const glm::dvec2 centre(k % 256 + 0.5, row + 0.5);
             int inside = 0;
             for (std::size_t c = 0; c < 3; ++c) {
                 const glm::dvec2 along = corners[(c + 1) % 3] - corners[c];

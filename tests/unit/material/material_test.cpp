@@ -1,4 +1,5 @@
 // What surfaces reflect and emit.
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -52,7 +53,7 @@ TEST(ColorTexture, WrapsAsItsUseSays) {
     const auto value_at = [&](float u, Wrap wrap) {
         TextureUse use;
         use.wrap_u = wrap;
-        return static_cast<int>(color_at(row, use, {u, 0.5F}).r * 255.0F + 0.5F);
+        return std::lround(color_at(row, use, {u, 0.5F}).r * 255.0F);
     };
     EXPECT_EQ(value_at(0.3F, Wrap::repeat), 51);
     EXPECT_EQ(value_at(1.3F, Wrap::repeat), 51);

@@ -47,6 +47,7 @@ TEST(Allocation, IsTheCheapestOfAll) {
 
 TEST(Allocation, SpendsWhatItMayAndNoMore) {
     std::vector<TileNeed> needs;
+    needs.reserve(500);
     for (int tile = 0; tile < 500; ++tile) {
         needs.push_back({16, 16, 1.0 + tile * 0.01});
     }

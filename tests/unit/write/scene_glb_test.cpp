@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/srgb.hpp"
 #include "glb_reader.hpp"
 #include "imageio/decode.hpp"
-#include "base/srgb.hpp"
 #include "small_scene.hpp"
 #include "vkbake/error.hpp"
 #include "write/scene_glb.hpp"
