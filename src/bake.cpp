@@ -4,6 +4,7 @@
 #include "bounces.hpp"
 #include "finish/dilate.hpp"
 #include "geometry_image/draw.hpp"
+#include "lamp_notes.hpp"
 #include "memory_plan.hpp"
 #include "stage_clock.hpp"
 #include "surface/make_surface.hpp"
@@ -34,7 +35,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     add_notes(bake.atlas.notes);
     add_notes(note_small_texels(bake.surface, bake.atlas));
     check_memory(memory_need(scene, sky, settings, bake.atlas.pages.size()), settings);
-    const Tracer tracer = clock.run("accelerator", [&] { return Tracer(bake.surface, sky, settings); });
+    const Tracer tracer = clock.run("accelerator", [&] { return Tracer(bake.surface, sky, settings, scene.lamps); });
 
     const std::size_t pages = bake.atlas.pages.size();
     GeometryImage geometry;
@@ -55,6 +56,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
         map.name = bake.atlas.pages[page].name;
         bake.light_maps.push_back(std::move(map));
     }
+    add_notes(note_lamps(scene, bake));
     if (settings.bounces > 0) {
         add_bounces(scene, tracer, draw, clock, bake);
     }

@@ -78,6 +78,18 @@ double expected_coverage(const Atlas& atlas, std::uint32_t page) {
     return std::min(area + 0.5 * outline + static_cast<double>(charts.size()), size.x * size.y);
 }
 
+/// A texel, at the most.
+std::uint64_t rays_to_lamps(const Scene& scene, const Settings& settings, std::uint64_t rays_a_soft_one) {
+    if (settings.mode == Mode::ao || settings.lamps == Switch::off) {
+        return 0;
+    }
+    std::uint64_t rays = 0;
+    for (const Lamp& lamp : scene.lamps) {
+        rays += lamp.is_soft() ? rays_a_soft_one : 1;
+    }
+    return rays;
+}
+
 void foretell_bake(const Scene& scene, const Surface& surface, const Settings& settings, Inspection& inspection) {
     if (surface.triangle_count() == 0) {
         inspection.notes.emplace_back("there is nothing to bake: no node shows a triangle");
@@ -102,8 +114,9 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
         return settings.sampler == Sampler::thesis ? 256 : asked;
     };
     const bool bounced = settings.bounces > 0 && (reflects(scene) || emits(scene));
-    inspection.rays = inspection.covered_texels *
-                      (rays(settings.rays) + (bounced ? settings.bounces * rays(settings.bounce_rays) : 0));
+    inspection.rays =
+        inspection.covered_texels * (rays(settings.rays) + rays_to_lamps(scene, settings, rays(settings.rays)) +
+                                     (bounced ? settings.bounces * rays(settings.bounce_rays) : 0));
 }
 
 Inspection inspect_scene(const Scene& scene, const Settings& settings) {
@@ -113,6 +126,7 @@ Inspection inspect_scene(const Scene& scene, const Settings& settings) {
     inspection.materials = scene.materials.size();
     inspection.images = scene.images.size();
     inspection.cameras = scene.cameras.size();
+    inspection.lamps = scene.lamps.size();
     inspection.plan = make_plan(scene, settings);
     inspection.notes = scene.notes;
     for (const Instance& instance : scene.instances) {

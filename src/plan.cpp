@@ -53,6 +53,31 @@ PlanEntry plan_sky(const Settings& settings) {
     return {"sky", true, "its direct light, " + rays_text(settings.rays, settings.sampler)};
 }
 
+/// "1 hard lamp", "2 soft lamps"
+std::string of_lamps(std::size_t count, const char* kind) {
+    return std::to_string(count) + kind + (count == 1 ? " lamp" : " lamps");
+}
+
+PlanEntry plan_lamps(const Scene& scene, const Settings& settings) {
+    if (scene.lamps.empty()) {
+        return {"lamps", false, "the scene has none"};
+    }
+    if (settings.mode == Mode::ao) {
+        return {"lamps", false, of_lamps(scene.lamps.size(), "") + "; mode ao has no light"};
+    }
+    if (settings.lamps == Switch::off) {
+        return {"lamps", false, of_lamps(scene.lamps.size(), "") + ", left to whoever draws the scene (--lamps off)"};
+    }
+    const auto soft = static_cast<std::size_t>(std::ranges::count_if(scene.lamps, &Lamp::is_soft));
+    const std::size_t hard = scene.lamps.size() - soft;
+    std::string reason = hard > 0 ? of_lamps(hard, " hard") + ", 1 ray a texel each" : "";
+    if (soft > 0) {
+        reason += (hard > 0 ? "; " : "") + of_lamps(soft, " soft") + ", " + rays_text(settings.rays, settings.sampler) +
+                  " each";
+    }
+    return {"lamps", true, reason};
+}
+
 PlanEntry plan_bounces(const Scene& scene, const Settings& settings) {
     if (settings.mode == Mode::ao) {
         return {"bounces", false, "mode ao has no light"};
@@ -108,8 +133,12 @@ PlanEntry plan_alpha(const Scene& scene) {
 
 std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings) {
     return at_boundary([&] {
-        return std::vector<PlanEntry>{plan_sky(settings), plan_bounces(scene, settings), plan_emission(scene, settings),
-                                      plan_textures(scene, settings), plan_alpha(scene)};
+        return std::vector<PlanEntry>{plan_sky(settings),
+                                      plan_lamps(scene, settings),
+                                      plan_bounces(scene, settings),
+                                      plan_emission(scene, settings),
+                                      plan_textures(scene, settings),
+                                      plan_alpha(scene)};
     });
 }
 

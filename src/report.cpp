@@ -53,6 +53,7 @@ std::string to_json(const Inspection& inspection) {
                        {"materials", inspection.materials},
                        {"images", inspection.images},
                        {"cameras", inspection.cameras},
+                       {"lamps", inspection.lamps},
                        {"triangles", inspection.triangles},
                        {"area", inspection.area},
                        {"box_low", vector_json(inspection.box_low)},

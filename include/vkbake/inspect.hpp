@@ -19,6 +19,7 @@ struct Inspection {
     std::size_t materials = 0;
     std::size_t images = 0;
     std::size_t cameras = 0;
+    std::size_t lamps = 0;
     std::uint64_t triangles = 0; ///< over all instances
     double area = 0.0;           ///< square metres, over all instances
     glm::dvec3 box_low{0.0};     ///< metres
@@ -30,7 +31,7 @@ struct Inspection {
     std::size_t pages = 0;
     double density = 0.0;             ///< texels per metre; 0 where all UVs are kept
     std::uint64_t covered_texels = 0; ///< estimate
-    std::uint64_t rays = 0;           ///< estimate
+    std::uint64_t rays = 0;           ///< estimate; those to lamps as if each reached all texels
     std::uint64_t memory = 0;         ///< bytes at the most, estimate; without a sky's picture
     std::uint64_t memory_limit = 0;   ///< bytes that the settings, or by default the machine, allow
     std::vector<PlanEntry> plan;      ///< make_plan's

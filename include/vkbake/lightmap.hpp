@@ -22,8 +22,11 @@ struct LightMapStatistics {
     std::uint64_t probed_hits = 0;        ///< hits among the rays whose nearest hit was looked at (one a texel)
     std::uint64_t back_side_hits = 0;     ///< of those, on a triangle's back
     std::uint64_t bounce_rays = 0;        ///< traced beside `rays`, for what surfaces reflect and emit
+    std::uint64_t lamp_rays = 0;          ///< traced beside `rays`, towards lamps
     std::uint64_t filled_texels = 0;      ///< by dilation
     double seconds = 0.0;                 ///< tracing
+    /// For each of Scene::lamps the rays that reached it; empty where no lamps were baked.
+    std::vector<std::uint64_t> lamps_reached;
 };
 
 /// What a map's own samples say of its error: of luminance (Rec. 709), noise alone (what one sample point a texel

@@ -39,6 +39,12 @@ struct Names<Mode> {
 };
 
 template<>
+struct Names<Switch> {
+    static constexpr std::array<std::pair<std::string_view, Switch>, 2> values{
+        {{"on", Switch::on}, {"off", Switch::off}}};
+};
+
+template<>
 struct Names<Sampler> {
     static constexpr std::array<std::pair<std::string_view, Sampler>, 2> values{
         {{"cosine", Sampler::cosine}, {"thesis", Sampler::thesis}}};

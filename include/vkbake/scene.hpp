@@ -13,6 +13,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "vkbake/lamp.hpp"
+
 namespace vkbake {
 
 /// An image as its file holds it. Decoded only where something needs it.
@@ -110,6 +112,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<EncodedImage> images;
     std::vector<Camera> cameras;
+    std::vector<Lamp> lamps;        ///< in the instances' order of nodes
     std::vector<std::string> notes; ///< what was left out or looks odd, a line each
     std::optional<SourceDocument>
         source;            ///< absent for scenes made by hand: they can be baked, and written as images only

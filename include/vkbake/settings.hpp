@@ -17,6 +17,7 @@ enum class ChartMaker : std::uint8_t {
     polypack
 }; ///< grown: few charts within a bound of stretch; polypack: the thesis's, by facing
 enum class Mode : std::uint8_t { irradiance, ao }; ///< E/π, or cosine-weighted visibility
+enum class Switch : std::uint8_t { on, off };
 enum class Sampler : std::uint8_t { cosine, thesis };
 enum class Accelerator : std::uint8_t { bvh, clusters, brute };
 enum class TriangleTest : std::uint8_t { watertight, moller_trumbore };
@@ -50,6 +51,9 @@ struct Settings {
     std::optional<double> seconds;
     /// Estimate each texel's error (LightMap::standard_error). Costs no rays; sampler cosine, 16 rays or more.
     bool estimate_error = false;
+    /// Whether the scene's lamps are baked; mode ao has none. A hard one takes a ray a texel, a soft one as many as the
+    /// sky does. off: they are left for whoever draws the scene.
+    Switch lamps = Switch::on;
     Sampler sampler = Sampler::cosine;
     Accelerator accelerator = Accelerator::bvh;
     TriangleTest triangle_test = TriangleTest::watertight; ///< moller_trumbore: accelerators brute and clusters only

@@ -25,10 +25,10 @@ struct InspectOptions {
 void print_inspection(const Inspection& inspection, const Settings& settings) {
     const glm::dvec3 size = inspection.box_high - inspection.box_low;
     fmt::print("scene\n");
-    fmt::print("  {}, {}, {}, {}, {}\n", plural(inspection.meshes, "mesh", "meshes"),
+    fmt::print("  {}, {}, {}, {}, {}, {}\n", plural(inspection.meshes, "mesh", "meshes"),
                plural(inspection.instances, "instance", "instances"),
                plural(inspection.materials, "material", "materials"), plural(inspection.images, "image", "images"),
-               plural(inspection.cameras, "camera", "cameras"));
+               plural(inspection.cameras, "camera", "cameras"), plural(inspection.lamps, "lamp", "lamps"));
     fmt::print("  {}, {:.6g} m2, {:.5g} x {:.5g} x {:.5g} m around ({:.5g}, {:.5g}, {:.5g})\n",
                plural(inspection.triangles, "triangle", "triangles"), inspection.area, size.x, size.y, size.z,
                0.5 * (inspection.box_low.x + inspection.box_high.x),

@@ -16,10 +16,14 @@ namespace vkbake::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> supported_extensions = {
-    "KHR_mesh_quantization", "EXT_meshopt_compression",         "KHR_draco_mesh_compression",
-    "KHR_texture_transform", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
-    "MOZ_lightmap"};
+constexpr std::array<std::string_view, 8> supported_extensions = {"KHR_mesh_quantization",
+                                                                  "EXT_meshopt_compression",
+                                                                  "KHR_draco_mesh_compression",
+                                                                  "KHR_texture_transform",
+                                                                  "KHR_materials_emissive_strength",
+                                                                  "KHR_materials_pbrSpecularGlossiness",
+                                                                  "MOZ_lightmap",
+                                                                  "KHR_lights_punctual"};
 
 bool is_supported(std::string_view extension) {
     return std::find(supported_extensions.begin(), supported_extensions.end(), extension) != supported_extensions.end();

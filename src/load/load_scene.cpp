@@ -1,5 +1,7 @@
 // glTF file → Scene.
+#include <cstdint>
 #include <exception>
+#include <map>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -7,6 +9,7 @@
 #include "base/json.hpp"
 #include "load/context.hpp"
 #include "load/document.hpp"
+#include "load/lamps.hpp"
 #include "load/materials.hpp"
 #include "load/meshes.hpp"
 #include "load/model.hpp"
@@ -23,6 +26,7 @@ namespace {
 Scene load(gltf::Context& context, const std::filesystem::path& file) {
     gltf::Document document = gltf::read_document(context, file);
     gltf::check_structure(context, document.json);
+    const std::map<std::uint32_t, Lamp> lamps = gltf::read_lamps(context, document.json);
 
     Scene scene;
     scene.name = file.stem().string();
@@ -33,9 +37,10 @@ Scene load(gltf::Context& context, const std::filesystem::path& file) {
     scene.meshes = gltf::make_meshes(context, model);
     scene.materials = gltf::make_materials(context, model);
     scene.images = gltf::make_images(model);
-    gltf::PlacedNodes placed = gltf::place_nodes(context, model);
+    gltf::PlacedNodes placed = gltf::place_nodes(context, model, lamps);
     scene.instances = std::move(placed.instances);
     scene.cameras = std::move(placed.cameras);
+    scene.lamps = std::move(placed.lamps);
     scene.notes = context.take_notes();
     return scene;
 }

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "load/lamps.hpp"
+
 namespace vkbake::gltf {
 
 namespace {
@@ -72,7 +74,8 @@ bool is_finite(const Transform& transform) {
 
 class NodeWalk {
 public:
-    NodeWalk(Context& context, const Model& model) : m_context(context), m_data(model.data) {}
+    NodeWalk(Context& context, const Model& model, const std::map<std::uint32_t, Lamp>& lamps)
+        : m_context(context), m_data(model.data), m_lamps(lamps) {}
 
     PlacedNodes place() {
         check_tree();
@@ -179,6 +182,9 @@ private:
         if (node.camera >= 0) {
             place_camera(index, node, world);
         }
+        if (const auto lamp = m_lamps.find(static_cast<std::uint32_t>(index)); lamp != m_lamps.end()) {
+            place(index, lamp->second, world);
+        }
         if (node.mesh < 0) {
             return;
         }
@@ -214,6 +220,14 @@ private:
         return 1.0;
     }
 
+    void place(int index, Lamp lamp, const Transform& world) {
+        if (place_lamp(lamp, world.linear, world.translation)) {
+            m_placed.lamps.push_back(std::move(lamp));
+        } else {
+            m_context.note(named(index) + " holds a lamp that is scaled to nothing: left out");
+        }
+    }
+
     void place_camera(int index, const tinygltf::Node& node, const Transform& world) {
         const glm::dvec3 backward = world.linear[2];
         const glm::dvec3 right = glm::cross(world.linear[1], backward);
@@ -243,12 +257,15 @@ private:
 
     Context& m_context;
     const tinygltf::Model& m_data;
+    const std::map<std::uint32_t, Lamp>& m_lamps;
     std::vector<bool> m_has_parent;
     PlacedNodes m_placed;
 };
 
 } // namespace
 
-PlacedNodes place_nodes(Context& context, const Model& model) { return NodeWalk(context, model).place(); }
+PlacedNodes place_nodes(Context& context, const Model& model, const std::map<std::uint32_t, Lamp>& lamps) {
+    return NodeWalk(context, model, lamps).place();
+}
 
 } // namespace vkbake::gltf

@@ -24,9 +24,14 @@ std::uint64_t ray_count(const BlockedRays& rays) {
 } // namespace
 
 TileTracer::TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
-                       const TriangleAccelerator& accelerator)
+                       const TriangleAccelerator& accelerator, const LampSet* lamps)
     : m_plan(&plan), m_sky(&sky), m_accelerator(&accelerator), m_rays(surface, geometry, plan),
-      m_scratch(accelerator.make_scratch()) {}
+      m_scratch(accelerator.make_scratch()) {
+    if (lamps != nullptr) {
+        m_lamps.emplace(*lamps, accelerator);
+        m_lamps->set_plan(plan);
+    }
+}
 
 void TileTracer::sum_up(const TexelTile& tile) {
     m_sums = {};
@@ -48,6 +53,10 @@ void TileTracer::sum_up(const TexelTile& tile) {
             add_parts(open, blocked);
         }
         probe(number, block, blocked);
+    }
+    if (m_lamps) {
+        m_lamps->sum_up(m_rays.lanes(), m_with_parts ? &m_parts : nullptr);
+        m_counts.lamp_rays = m_lamps->rays();
     }
 }
 

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
 #include "bvh/accelerator.hpp"
-#include "trace/contrasts.hpp"
+#include "trace/lamp_tracer.hpp"
+#include "trace/lane_parts.hpp"
 #include "trace/sky_sum.hpp"
 #include "trace/tile_rays.hpp"
 
@@ -21,6 +23,9 @@ struct RayCounts {
     std::uint64_t skipped_directions = 0;
     std::uint64_t probed_hits = 0;
     std::uint64_t back_side_hits = 0;
+    std::uint64_t lamp_rays = 0; ///< beside `rays`
+
+    [[nodiscard]] std::uint64_t all() const { return rays + lamp_rays; }
 
     RayCounts& operator+=(const RayCounts& other) {
         rays += other.rays;
@@ -28,15 +33,9 @@ struct RayCounts {
         skipped_directions += other.skipped_directions;
         probed_hits += other.probed_hits;
         back_side_hits += other.back_side_hits;
+        lamp_rays += other.lamp_rays;
         return *this;
     }
-};
-
-/// Of each lane, what the estimate of its error is made from.
-struct LaneParts {
-    alignas(64) std::array<std::array<double, RayBlock::lanes>, part_count> luminance{}; ///< Σ L of the part's samples
-    std::array<std::uint32_t, RayBlock::lanes> open{};                                   ///< rays that met nothing
-    std::array<std::uint32_t, RayBlock::lanes> blocked{};
 };
 
 /// Traces one tile after the other, for one thread; allocates nothing after it is made.
@@ -46,14 +45,17 @@ struct LaneParts {
 /// a thousand.
 class TileTracer {
 public:
-    /// All must outlive it.
+    /// All must outlive it. `lamps` may be null: there are none, and nothing asks for them.
     TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
-               const TriangleAccelerator& accelerator);
+               const TriangleAccelerator& accelerator, const LampSet* lamps);
 
     /// From now on another plan: TileRays::set_plan.
     void set_plan(const RayPlan& plan) {
         m_plan = &plan;
         m_rays.set_plan(plan);
+        if (m_lamps) {
+            m_lamps->set_plan(plan);
+        }
     }
 
     /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
@@ -61,7 +63,7 @@ public:
     void trace(const TexelTile& tile, const Store& store) {
         sum_up(tile);
         for (std::uint32_t lane = 0; lane < tile.count; ++lane) {
-            store(tile.texels[lane], total(*m_sky, m_sums, lane));
+            store(tile.texels[lane], light(lane));
         }
     }
 
@@ -74,16 +76,22 @@ public:
         sum_up(tile);
         m_with_parts = false;
         for (std::uint32_t lane = 0; lane < tile.count; ++lane) {
-            store(lane, total(*m_sky, m_sums, lane));
+            store(lane, light(lane));
         }
     }
     [[nodiscard]] const LaneParts& parts() const { return m_parts; }
 
     /// Of all tiles so far.
     [[nodiscard]] const RayCounts& counts() const { return m_counts; }
+    [[nodiscard]] const std::optional<LampTracer>& lamps() const { return m_lamps; }
 
 private:
     void sum_up(const TexelTile& tile);
+    /// Of the last tile.
+    [[nodiscard]] glm::dvec3 light(std::size_t lane) const {
+        const glm::dvec3 from_sky = total(*m_sky, m_sums, lane);
+        return m_lamps ? from_sky + m_lamps->sum(lane) : from_sky;
+    }
     /// Adds a block's rays to the parts that their samples belong to.
     void add_parts(const BlockedRays& open, const BlockedRays& blocked);
     /// Chooses each texel's probe.
@@ -102,6 +110,7 @@ private:
     SampleIndices m_indices;
     LuminanceRows m_luminance{};
     std::array<std::uint64_t, RayBlock::lanes> m_probes{}; ///< a stratum
+    std::optional<LampTracer> m_lamps;
     RayCounts m_counts;
 };
 

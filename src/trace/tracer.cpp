@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/float_state.hpp"
@@ -13,6 +14,7 @@
 #include "trace/adaptive.hpp"
 #include "trace/check_settings.hpp"
 #include "trace/gather_tracer.hpp"
+#include "trace/lamp_set.hpp"
 #include "trace/sampled_map.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/texel_tiles.hpp"
@@ -36,6 +38,21 @@ TriangleAccelerator make_accelerator(const Surface& surface, const Settings& set
             {settings.accelerator, settings.triangle_test, settings.cluster_splits, settings.threads}};
 }
 
+bool bakes_lamps(const Settings& settings) { return settings.mode != Mode::ao && settings.lamps == Switch::on; }
+
+/// A sky without intensity is a black one, so that what it is multiplied with is never 0.
+SkyLookup make_radiance(const Sky& sky, const Settings& settings) {
+    if (settings.mode == Mode::ao) {
+        return ConstantLookup{glm::vec3(1.0F)};
+    }
+    SkyLookup lookup = make_sky_lookup(sky);
+    return sky.intensity == 0.0 ? SkyLookup(ConstantLookup{glm::vec3(0.0F)}) : std::move(lookup);
+}
+
+double intensity_of(const Sky& sky, const Settings& settings) {
+    return settings.mode == Mode::ao || sky.intensity == 0.0 ? 1.0 : sky.intensity;
+}
+
 template<typename Worker>
 RayCounts sum_of(const std::vector<std::unique_ptr<Worker>>& workers) {
     RayCounts total;
@@ -54,11 +71,24 @@ std::function<bool(std::size_t)> report_of(std::size_t tiles, const std::vector<
     }
     return [&, tiles](std::size_t done) {
         const double share = tiles == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(tiles);
-        if (!progress(share, sum_of(workers).rays, 0.0) && tiles > 0) {
+        if (!progress(share, sum_of(workers).all(), 0.0) && tiles > 0) {
             throw Error(ErrorKind::interrupted, "interrupted");
         }
         return true;
     };
+}
+
+/// LightMapStatistics::lamps_reached.
+std::vector<std::uint64_t> reached(const Workers& workers) {
+    std::vector<std::uint64_t> total;
+    for (const auto& worker : workers) {
+        if (worker->lamps()) {
+            const std::vector<std::uint64_t>& some = worker->lamps()->reached();
+            total.resize(some.size(), 0);
+            std::transform(some.begin(), some.end(), total.begin(), total.begin(), std::plus<>());
+        }
+    }
+    return total;
 }
 
 Image empty_image(const GeometryImage& geometry) {
@@ -71,10 +101,10 @@ Image empty_image(const GeometryImage& geometry) {
 } // namespace
 
 struct Tracer::State {
-    State(const Surface& traced, const Sky& sky, const Settings& asked)
-        : surface(&traced), threads(checked(asked).threads),
-          radiance(asked.mode == Mode::ao ? SkyLookup(ConstantLookup{glm::vec3(1.0F)}) : make_sky_lookup(sky)),
-          intensity(asked.mode == Mode::ao ? 1.0 : sky.intensity),
+    State(const Surface& traced, const Sky& sky, const Settings& asked, std::span<const Lamp> given)
+        : surface(&traced), threads(checked(asked).threads), radiance(make_radiance(sky, asked)),
+          intensity(intensity_of(sky, asked)),
+          lamps(bakes_lamps(asked) ? make_lamp_set(given, traced.frame, intensity) : LampSet()),
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
           accelerator(make_accelerator(traced, asked)) {}
@@ -82,7 +112,8 @@ struct Tracer::State {
     [[nodiscard]] Workers make_workers(const GeometryImage& geometry) const {
         Workers workers(worker_count(threads));
         for (auto& worker : workers) {
-            worker = std::make_unique<TileTracer>(*surface, geometry, plan, radiance, accelerator);
+            worker = std::make_unique<TileTracer>(*surface, geometry, plan, radiance, accelerator,
+                                                  lamps.empty() ? nullptr : &lamps);
         }
         return workers;
     }
@@ -118,7 +149,7 @@ struct Tracer::State {
         SampledMap sampled(tiles, plan.settings(), plan.max_distance(), intensity);
         const AdaptiveResult result = sample_adaptively(
             sampled, workers, {plan.settings().target_error, deadline}, [&](double share, double error) {
-                if (progress && !progress(share, sum_of(workers).rays, error) && !tiles.empty()) {
+                if (progress && !progress(share, sum_of(workers).all(), error) && !tiles.empty()) {
                     throw Error(ErrorKind::interrupted, "interrupted");
                 }
             });
@@ -133,14 +164,15 @@ struct Tracer::State {
     const Surface* surface; ///< never null
     int threads;
     SkyLookup radiance;
-    double intensity;
+    double intensity; ///< > 0
+    LampSet lamps;
     RayPlan plan;
     TriangleAccelerator accelerator;
 };
 
-Tracer::Tracer(const Surface& surface, const Sky& sky, const Settings& settings) {
+Tracer::Tracer(const Surface& surface, const Sky& sky, const Settings& settings, std::span<const Lamp> lamps) {
     const DefaultFloatState float_state;
-    m_state = std::make_unique<State>(surface, sky, settings);
+    m_state = std::make_unique<State>(surface, sky, settings, lamps);
 }
 
 Tracer::~Tracer() = default;
@@ -173,6 +205,8 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     map.statistics.skipped_directions = counts.skipped_directions;
     map.statistics.probed_hits = counts.probed_hits;
     map.statistics.back_side_hits = counts.back_side_hits;
+    map.statistics.lamp_rays = counts.lamp_rays;
+    map.statistics.lamps_reached = reached(workers);
     map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return map;
 }

@@ -5,9 +5,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "trace/surface_light.hpp"
 #include "vkbake/geometry_image.hpp"
+#include "vkbake/lamp.hpp"
 #include "vkbake/lightmap.hpp"
 #include "vkbake/settings.hpp"
 #include "vkbake/sky.hpp"
@@ -23,8 +25,9 @@ using TraceProgress = std::function<bool(double share, std::uint64_t rays, doubl
 /// The surface must outlive it.
 class Tracer {
 public:
-    /// Throws Error{usage} for settings that contradict each other.
-    Tracer(const Surface& surface, const Sky& sky, const Settings& settings);
+    /// `lamps`: asked for unless settings.lamps is off or the mode is ao; they are copied. Throws Error{usage} for
+    /// settings that contradict each other, Error{bad_input} for a sky or a lamp that cannot be.
+    Tracer(const Surface& surface, const Sky& sky, const Settings& settings, std::span<const Lamp> lamps = {});
     ~Tracer();
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;

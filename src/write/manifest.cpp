@@ -85,6 +85,7 @@ Json settings_json(const Settings& settings) {
             {"rays", settings.rays},
             {"bounces", settings.bounces},
             {"bounce-rays", settings.bounce_rays},
+            {"lamps", name_of(settings.lamps)},
             {"sampler", name_of(settings.sampler)},
             {"accelerator", name_of(settings.accelerator)},
             {"triangle-test", name_of(settings.triangle_test)},
@@ -109,6 +110,7 @@ Json counts_json(const LightMap& map) {
               {"skipped_directions", statistics.skipped_directions},
               {"probed_hits", statistics.probed_hits},
               {"back_side_hits", statistics.back_side_hits},
+              {"lamp_rays", statistics.lamp_rays},
               {"bounce_rays", statistics.bounce_rays}};
     if (map.error) {
         json["error"] = {{"relative_rmse", map.error->relative_rmse},

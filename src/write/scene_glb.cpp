@@ -6,6 +6,7 @@
 
 #include "vkbake/error.hpp"
 #include "vkbake/vkbake.hpp"
+#include "write/baked_lamps.hpp"
 #include "write/document.hpp"
 #include "write/lit_materials.hpp"
 #include "write/split_primitive.hpp"
@@ -58,6 +59,8 @@ public:
         for (const auto& [object, object_parts] : parts) {
             emit_instance(m_scene.instances.at(m_bake.surface.objects.at(object).instance), object_parts);
         }
+        const bool lit = m_bake.settings.mode == Mode::irradiance && m_bake.settings.lamps == Switch::on;
+        lit ? put_lamps_aside(m_document.json, m_scene.lamps) : bring_lamps_back(m_document.json);
         SceneGlb result;
         result.notes = m_materials.finish();
         if (m_moved) {

@@ -45,6 +45,11 @@ Attributes provenance(const Bake& bake, const std::string& name) {
         attributes.emplace_back(std::string("vkbake:") + flag,
                                 value.is_string() ? value.get<std::string>() : value.dump());
     }
+    const bool lamps = std::any_of(bake.light_maps.begin(), bake.light_maps.end(),
+                                   [](const LightMap& map) { return !map.statistics.lamps_reached.empty(); });
+    if (lamps) {
+        attributes.emplace_back("vkbake:lamps", "on");
+    }
     return attributes;
 }
 

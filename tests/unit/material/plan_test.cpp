@@ -36,6 +36,20 @@ TEST(Plan, SaysWhatBouncesWouldBring) {
     EXPECT_FALSE(entry(grey, settings, "sky").modelled);
 }
 
+TEST(Plan, CountsLampsAndTheirRays) {
+    Scene scene = test::painted_floor({});
+    Settings settings;
+    EXPECT_FALSE(entry(scene, settings, "lamps").modelled);
+    scene.lamps = {{.kind = LampKind::point}, {.kind = LampKind::spot, .radius = 0.1}, {.kind = LampKind::point}};
+    EXPECT_TRUE(entry(scene, settings, "lamps").modelled);
+    EXPECT_TRUE(says(entry(scene, settings, "lamps"), "2 hard lamps, 1 ray a texel each; 1 soft lamp, 256 rays"));
+    settings.lamps = Switch::off;
+    EXPECT_FALSE(entry(scene, settings, "lamps").modelled);
+    settings.lamps = Switch::on;
+    settings.mode = Mode::ao;
+    EXPECT_FALSE(entry(scene, settings, "lamps").modelled);
+}
+
 TEST(Plan, EmissionComesWithTheFirstBounce) {
     const Scene lamp = test::painted_floor({.emissive = {0.0F, 3.0F, 0.0F}});
     Settings settings;

@@ -1,0 +1,20 @@
+// What is kept of a tile's samples beside their sum.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bvh/ray_block.hpp"
+#include "trace/contrasts.hpp"
+
+namespace vkbake {
+
+/// Of each lane, what the estimate of its error is made from.
+struct LaneParts {
+    alignas(64) std::array<std::array<double, RayBlock::lanes>, part_count> luminance{}; ///< Σ L of the part's samples
+    std::array<double, RayBlock::lanes> of_lamps{};    ///< Σ L of all samples that lamps sent
+    std::array<std::uint32_t, RayBlock::lanes> open{}; ///< rays that met nothing
+    std::array<std::uint32_t, RayBlock::lanes> blocked{};
+};
+
+} // namespace vkbake
