@@ -15,6 +15,7 @@
 #include "hand_made.hpp"
 #include "highway_targets.hpp"
 #include "host_bake.hpp"
+#include "lamp_scenes.hpp"
 #include "same_bits.hpp"
 #include "stage_clock.hpp"
 #include "trace/tracer.hpp"
@@ -23,80 +24,16 @@
 namespace vkbake {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-/// The scenes here are 8 m wide: bake-frame coordinates times this are metres.
-constexpr float metres = 4.0F;
-constexpr int exponent = -2;
-
-Sky black_sky() { return test::constant_sky(glm::vec3(0.0F)); }
-
-Lamp point_lamp(const glm::dvec3& position, double candela = 10.0) {
-    return {.name = "point", .intensity = candela, .position = position};
-}
-
-Lamp spot_lamp(const glm::dvec3& position, const glm::dvec3& direction, double inner, double outer) {
-    return {.name = "spot",
-            .kind = LampKind::spot,
-            .intensity = 10.0,
-            .position = position,
-            .direction = glm::normalize(direction),
-            .inner_cone = inner,
-            .outer_cone = outer};
-}
-
-Lamp sun(const glm::dvec3& direction, double lux, double degrees = 0.0) {
-    return {.name = "sun",
-            .kind = LampKind::directional,
-            .intensity = lux,
-            .direction = glm::normalize(direction),
-            .angular_diameter = degrees};
-}
-
-/// A floor of 8 m × 8 m in the plane y = 0, facing up; what a test adds stands on it.
-class Floor {
-public:
-    Floor() { m_maker.add_quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}); }
-
-    /// A wall or roof, corners in metres.
-    void add_quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-        m_maker.add_quad(a / metres, b / metres, c / metres, d / metres);
-    }
-    /// A texel at (x, z), metres.
-    void add_texel(double x, double z) {
-        // The diagonal of the quad runs from (−1, 1) to (1, −1): right of it lies triangle 0.
-        const std::uint32_t triangle = x + z >= 0.0 ? 0U : 1U;
-        m_points.push_back({glm::vec3(glm::dvec3(x, 0.0, z) / double{metres}), {0, 1, 0}, {0, 1, 0}, triangle});
-    }
-    void turn_shading_normal(const glm::vec3& normal) { m_points.back().shading_normal = glm::normalize(normal); }
-
-    [[nodiscard]] LightMap trace(const std::vector<Lamp>& lamps, const Settings& settings = {},
-                                 const Sky& sky = black_sky()) {
-        const Surface surface = m_maker.finish(exponent);
-        return Tracer(surface, sky, settings, lamps).trace(test::geometry_image(m_points, 16));
-    }
-    /// One value a texel: E/π of a white lamp.
-    [[nodiscard]] std::vector<double> light(const std::vector<Lamp>& lamps, const Settings& settings = {}) {
-        const LightMap map = trace(lamps, settings);
-        std::vector<double> values;
-        for (std::size_t i = 0; i < m_points.size(); ++i) {
-            values.push_back(double{map.image.texels[i].g});
-        }
-        return values;
-    }
-
-private:
-    test::SurfaceMaker m_maker;
-    std::vector<test::SamplePoint> m_points;
-};
-
-Settings with_rays(std::uint32_t rays) {
-    Settings settings;
-    settings.rays = rays;
-    return settings;
-}
+using test::black_sky;
+using test::LitFloor;
+using test::pi;
+using test::point_lamp;
+using test::spot_lamp;
+using test::sun;
+using test::with_rays;
 
 TEST(Lamps, APointsLightFallsWithTheSquareAndTheCosine) {
-    Floor floor;
+    LitFloor floor;
     const glm::dvec3 place(0.5, 1.5, -0.25);
     std::vector<double> expected;
     for (int i = 0; i < 40; ++i) {
@@ -113,7 +50,7 @@ TEST(Lamps, APointsLightFallsWithTheSquareAndTheCosine) {
 }
 
 TEST(Lamps, ColoursAndLampsAddUp) {
-    Floor floor;
+    LitFloor floor;
     floor.add_texel(0.0, 0.0);
     Lamp red = point_lamp({0, 2, 0}, 8.0);
     red.color = {1.0, 0.5, 0.0};
@@ -130,7 +67,7 @@ TEST(Lamps, ASpotHasAConeWithASoftEdge) {
     constexpr double inner = 0.3;
     constexpr double outer = 0.6;
     const std::array<double, 9> angles{0.0, 0.15, 0.29, 0.35, 0.45, 0.55, 0.59, 0.61, 0.9};
-    Floor floor;
+    LitFloor floor;
     for (const double angle : angles) {
         floor.add_texel(height * std::tan(angle), 0.0);
     }
@@ -145,7 +82,7 @@ TEST(Lamps, ASpotHasAConeWithASoftEdge) {
 }
 
 TEST(Lamps, ARangeEndsALight) {
-    Floor floor;
+    LitFloor floor;
     for (const double x : {0.0, 1.0, 2.0, 2.7, 3.0}) {
         floor.add_texel(x, 0.0);
     }
@@ -163,7 +100,7 @@ TEST(Lamps, ARangeEndsALight) {
 }
 
 TEST(Lamps, ADirectionalLampGivesItsLuxTimesTheCosine) {
-    Floor floor;
+    LitFloor floor;
     floor.add_texel(-3.0, 2.0);
     floor.add_texel(0.0, 0.0);
     floor.add_texel(3.9, -3.9);
@@ -176,7 +113,7 @@ TEST(Lamps, ADirectionalLampGivesItsLuxTimesTheCosine) {
 }
 
 TEST(Lamps, LieNeitherBelowTheSurfaceNorBehindTheShadingNormal) {
-    Floor floor;
+    LitFloor floor;
     floor.add_texel(0.0, 0.0);
     floor.turn_shading_normal({-1, 0.2F, 0}); // the lamp is above the surface, behind this
     floor.add_texel(1.0, 0.0);
@@ -189,7 +126,7 @@ TEST(Lamps, LieNeitherBelowTheSurfaceNorBehindTheShadingNormal) {
 }
 
 TEST(Lamps, AWallHidesALamp) {
-    Floor floor;
+    LitFloor floor;
     floor.add_quad({0, 0, 3}, {0, 0, -3}, {0, 2, -3}, {0, 2, 3});
     floor.add_texel(1.0, 0.0);
     floor.add_texel(-1.0, 0.0);
@@ -205,7 +142,7 @@ TEST(Lamps, AWallHidesALamp) {
 }
 
 TEST(Lamps, ALampInASurfaceIsNotHiddenByIt) {
-    Floor floor;
+    LitFloor floor;
     floor.add_quad({-2, 2, -2}, {2, 2, -2}, {2, 2, 2}, {-2, 2, 2}); // faces down
     for (int i = 0; i < 64; ++i) {
         floor.add_texel(0.03 * i, 0.017 * i);
@@ -219,7 +156,7 @@ TEST(Lamps, ALampInAClosedBoxLightsItAndNothingElse) {
     test::SurfaceMaker maker;
     const std::uint32_t inside = maker.add_box({-0.5F, 0.0F, -0.5F}, {0.5F, 0.5F, 0.5F}, true);
     const std::uint32_t floor = maker.add_quad({-1, -0.25F, 1}, {1, -0.25F, 1}, {1, -0.25F, -1}, {-1, -0.25F, -1});
-    const Surface surface = maker.finish(exponent);
+    const Surface surface = maker.finish(test::lit_exponent);
     std::vector<test::SamplePoint> points;
     for (std::uint32_t face = 0; face < 12; ++face) {
         points.push_back(test::point_on(surface, inside + face, glm::dvec3(1.0 / 3.0)));
@@ -237,90 +174,8 @@ TEST(Lamps, ALampInAClosedBoxLightsItAndNothingElse) {
     }
 }
 
-/// What a straight edge leaves of a disc's area, at a distance of t radii from its centre: a circular segment.
-double disc_beside_edge(double t) {
-    const double place = std::clamp(t, -1.0, 1.0);
-    return 0.5 + (place * std::sqrt(1.0 - place * place) + std::asin(place)) / pi;
-}
-
-constexpr double edge_height = 1.0;
-constexpr double disc_degrees = 2.0;
-
-/// Under a roof over x < 0 that ends in a straight edge, lit from straight above: texels across the half-shadow, and
-/// the share of the disc that each sees. The edge cuts the disc's projection in an ellipse so nearly straight that it
-/// matters less than 2e-4.
-std::vector<double> make_half_shadow(Floor& floor) {
-    floor.add_quad({-3.9F, 1, -3.9F}, {0, 1, -3.9F}, {0, 1, 3.9F}, {-3.9F, 1, 3.9F});
-    const double sine = std::sin(0.5 * disc_degrees * pi / 180.0);
-    std::vector<double> shares;
-    for (int i = 0; i < 64; ++i) {
-        const double x = edge_height * sine * (-1.3 + 2.6 * i / 63.0);
-        floor.add_texel(x, 0.05 * (i % 13));
-        shares.push_back(disc_beside_edge(x / std::hypot(x, edge_height) / sine));
-    }
-    return shares;
-}
-
-TEST(Lamps, ASoftDirectionalLampsHalfShadowIsADiscCutByALine) {
-    Floor floor;
-    const std::vector<double> shares = make_half_shadow(floor);
-    const std::vector<double> found = floor.light({sun({0, -1, 0}, 2.0, disc_degrees)}, with_rays(4096));
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        EXPECT_NEAR(found[i], 2.0 / pi * shares[i], 2.0 / pi * 2e-3) << i;
-    }
-    EXPECT_EQ(found.front(), 0.0);
-    EXPECT_NEAR(found.back(), 2.0 / pi, 1e-6);
-}
-
-/// Configuration factor from a plane element to a sphere of radius r at the distance d, its normal at cos θ to the
-/// centre, which may lie below the horizon in part (Naylor 1967; in the form of I. Quilez, "sphere ambient occlusion").
-double factor_of_sphere(double cosine, double ratio) {
-    const double h = ratio * ratio; // (d / r)²
-    const double k = 1.0 - h * cosine * cosine;
-    if (k <= 0.0) {
-        return std::max(cosine, 0.0) / h;
-    }
-    const double hidden =
-        cosine * std::acos(std::clamp(-cosine * std::sqrt((h - 1.0) / (1.0 - cosine * cosine)), -1.0, 1.0)) -
-        std::sqrt(k * (h - 1.0));
-    return (hidden / h + std::atan(std::sqrt(k / (h - 1.0)))) / pi;
-}
-
-TEST(Lamps, ASphereGivesItsConfigurationFactor) {
-    // L = I / (π r²), E/π = L F: above the horizon F = (r/d)² cos θ, the point's law.
-    Floor floor;
-    Lamp lamp = point_lamp({0, 0.5, 0});
-    lamp.radius = 0.4;
-    std::vector<double> expected;
-    for (int i = 0; i < 30; ++i) {
-        const double x = 0.1 * i;
-        const double distance = std::hypot(x, 0.5);
-        floor.add_texel(x, 0.0);
-        expected.push_back(10.0 / (pi * 0.16) * factor_of_sphere(0.5 / distance, distance / 0.4));
-        if (x == 0.0) {
-            EXPECT_NEAR(expected.back(), 10.0 / 0.25 / pi, 1e-9);
-        }
-    }
-    const std::vector<double> found = floor.light({lamp}, with_rays(1024));
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        EXPECT_NEAR(found[i], expected[i], 2e-3 * expected[i]) << i;
-    }
-    // Sunk into the floor by half: the horizon cuts it.
-    lamp.position.y = 0.0;
-    std::vector<double> sunk;
-    Floor other;
-    for (int i = 0; i < 20; ++i) {
-        other.add_texel(0.5 + 0.1 * i, 0.0);
-        sunk.push_back(10.0 / (pi * 0.16) * factor_of_sphere(0.0, (0.5 + 0.1 * i) / 0.4));
-    }
-    const std::vector<double> beside = other.light({lamp}, with_rays(1024));
-    for (std::size_t i = 0; i < beside.size(); ++i) {
-        EXPECT_NEAR(beside[i], sunk[i], 0.01 * sunk[i]) << i;
-    }
-}
-
 TEST(Lamps, TheSkysIntensityIsNotTheirs) {
-    Floor floor;
+    LitFloor floor;
     floor.add_texel(0.0, 0.0);
     Sky sky = black_sky();
     for (const double intensity : {0.0, 1.0, 3.0}) {
@@ -331,7 +186,7 @@ TEST(Lamps, TheSkysIntensityIsNotTheirs) {
 }
 
 TEST(Lamps, EverySamplerGivesTheSameLight) {
-    Floor floor;
+    LitFloor floor;
     floor.add_texel(1.0, 0.5);
     Settings thesis;
     thesis.sampler = Sampler::thesis;
@@ -343,7 +198,7 @@ TEST(Lamps, EverySamplerGivesTheSameLight) {
 }
 
 TEST(Lamps, AreLeftOutWhereTheyAreNotAskedFor) {
-    Floor floor;
+    LitFloor floor;
     floor.add_texel(0.0, 0.0);
     Settings settings;
     settings.lamps = Switch::off;
@@ -354,7 +209,7 @@ TEST(Lamps, AreLeftOutWhereTheyAreNotAskedFor) {
 }
 
 TEST(Lamps, ThatCannotBeAreRefused) {
-    Floor floor;
+    LitFloor floor;
     floor.add_texel(0.0, 0.0);
     const auto refused = [&](const auto& change) {
         Lamp lamp = point_lamp({0, 1, 0});
@@ -369,51 +224,6 @@ TEST(Lamps, ThatCannotBeAreRefused) {
     refused([](Lamp& l) { l.inner_cone = 1.0; });
     refused([](Lamp& l) { l.range = 0.0; });
     refused([](Lamp& l) { l.radius = -1.0; });
-}
-
-TEST(Lamps, HardOnesHaveNoErrorAndSoftOnesSayTheirs) {
-    Floor floor;
-    const std::vector<double> shares = make_half_shadow(floor);
-    Settings settings = with_rays(256);
-    settings.estimate_error = true;
-    const LightMap hard = floor.trace({sun({0, -1, 0}, 2.0)}, settings);
-    EXPECT_EQ(hard.error.value().relative_rmse, 0.0);
-    EXPECT_EQ(*std::ranges::max_element(hard.standard_error), 0.0F);
-    double estimated = 0.0;
-    double real = 0.0;
-    for (std::uint64_t seed = 0; seed < test::amount<std::uint64_t>(16, 4); ++seed) {
-        settings.seed = seed;
-        const LightMap soft = floor.trace({sun({0, -1, 0}, 2.0, disc_degrees)}, settings);
-        for (std::size_t i = 0; i < shares.size(); ++i) {
-            const double miss = double{soft.image.texels[i].r} - 2.0 / pi * shares[i];
-            real += miss * miss;
-            estimated += double{soft.standard_error[i]} * double{soft.standard_error[i]};
-        }
-    }
-    EXPECT_GT(real, 0.0);
-    EXPECT_NEAR(std::sqrt(estimated / real), 1.0, 0.3);
-}
-
-TEST(Lamps, ATargetCountsTheirError) {
-    Floor floor;
-    const std::vector<double> shares = make_half_shadow(floor);
-    double mean = 0.0;
-    for (const double share : shares) {
-        mean += 2.0 / pi * share / static_cast<double>(shares.size());
-    }
-    for (const double target : {0.02, 0.004}) {
-        Settings settings;
-        settings.target_error = target;
-        const LightMap map = floor.trace({sun({0, -1, 0}, 2.0, disc_degrees)}, settings);
-        EXPECT_TRUE(map.error.value().target_reached);
-        double real = 0.0;
-        for (std::size_t i = 0; i < shares.size(); ++i) {
-            const double miss = double{map.image.texels[i].r} - 2.0 / pi * shares[i];
-            real += miss * miss / static_cast<double>(shares.size());
-        }
-        EXPECT_LT(std::sqrt(real) / mean, 1.5 * target);
-        EXPECT_GT(std::sqrt(real) / mean, 0.2 * target); // and no more rays than it takes
-    }
 }
 
 std::vector<Lamp> many_lamps() {
@@ -436,7 +246,7 @@ TEST(Lamps, GiveTheSameBitsHoweverTheyAreTraced) {
     const std::uint32_t floor = maker.add_quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1});
     maker.add_box({-0.3F, 0.1F, -0.2F}, {-0.1F, 0.3F, 0.2F}, false);
     maker.add_box({0.2F, 0.0F, -0.2F}, {0.3F, 0.5F, 0.1F}, false);
-    const Surface surface = maker.finish(exponent);
+    const Surface surface = maker.finish(test::lit_exponent);
     std::vector<test::SamplePoint> points;
     for (int i = 0; i < 150; ++i) {
         points.push_back(test::point_on(surface, floor, {0.6 - 0.004 * i, 0.3, 0.1 + 0.004 * i}));

@@ -14,6 +14,8 @@
 namespace vkbake::scenes {
 namespace {
 
+constexpr const char* lights_extension = "KHR_lights_punctual";
+
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 // The rotation that takes the axes to right, up and backward; Shepperd's choice of the largest component is not needed,
@@ -34,6 +36,12 @@ glm::dvec4 to_quaternion(const glm::dvec3& right, const glm::dvec3& up, const gl
 glm::dvec4 rotation_about_y(double turns) {
     const glm::dvec2 half = on_circle(turns / 2.0);
     return {0.0, half.y, 0.0, half.x};
+}
+
+glm::dvec4 rotation_towards(const glm::dvec3& eye, const glm::dvec3& target) {
+    const glm::dvec3 back = unit(eye - target);
+    const glm::dvec3 right = unit(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back));
+    return to_quaternion(right, glm::cross(back, right), back);
 }
 
 std::size_t Document::add_view(const void* data, std::size_t size, gltf::ViewTarget target) {
@@ -146,6 +154,9 @@ std::size_t Document::add_node(const Node& node) {
     if (node.camera) {
         json["camera"] = *node.camera;
     }
+    if (node.light) {
+        json["extensions"] = {{lights_extension, {{"light", *node.light}}}};
+    }
     if (node.translation != glm::dvec3(0.0)) {
         json["translation"] = to_json(node.translation);
     }
@@ -166,11 +177,14 @@ std::size_t Document::add_node(const Node& node) {
     return index;
 }
 
+std::size_t Document::add_light(const Json& light) {
+    m_json["extensionsUsed"] = Json::array({lights_extension});
+    Json& lights = m_json["extensions"][lights_extension]["lights"];
+    lights.push_back(light);
+    return lights.size() - 1;
+}
+
 void Document::add_main_camera(const glm::dvec3& eye, const glm::dvec3& target, double vertical_field_of_view) {
-    const auto unit = [](const glm::dvec3& v) { return v / glm::length(v); };
-    const glm::dvec3 back = unit(eye - target);
-    const glm::dvec3 right = unit(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back));
-    const glm::dvec3 up = glm::cross(back, right);
     m_json["cameras"].push_back(
         {{"name", "main"},
          {"type", "perspective"},
@@ -180,14 +194,14 @@ void Document::add_main_camera(const glm::dvec3& eye, const glm::dvec3& target, 
     node.name = "main";
     node.camera = m_json["cameras"].size() - 1;
     node.translation = eye;
-    node.rotation = to_quaternion(right, up, back);
+    node.rotation = rotation_towards(eye, target);
     add_node(node);
 }
 
 std::vector<std::byte> Document::to_glb() const {
     Json json{{"asset", {{"version", "2.0"}, {"generator", "vkbake make_scenes"}}}, {"scene", 0}};
-    for (const char* key : {"scenes", "nodes", "cameras", "meshes", "materials", "textures", "images", "samplers",
-                            "accessors", "bufferViews"}) {
+    for (const char* key : {"extensionsUsed", "extensions", "scenes", "nodes", "cameras", "meshes", "materials",
+                            "textures", "images", "samplers", "accessors", "bufferViews"}) {
         if (m_json.contains(key)) {
             json[key] = m_json[key];
         }

@@ -37,6 +37,7 @@ struct Node {
     std::string name;
     std::optional<std::size_t> mesh;
     std::optional<std::size_t> camera;
+    std::optional<std::size_t> light;
     glm::dvec3 translation{0.0};
     glm::dvec4 rotation{0.0, 0.0, 0.0, 1.0}; ///< unit quaternion x y z w
     glm::dvec3 scale{1.0};
@@ -46,11 +47,16 @@ struct Node {
 /// A rotation about +Y by an angle in turns, as a quaternion.
 [[nodiscard]] glm::dvec4 rotation_about_y(double turns);
 
+/// What turns −Z from `eye` to `target` and leaves X level.
+[[nodiscard]] glm::dvec4 rotation_towards(const glm::dvec3& eye, const glm::dvec3& target);
+
 class Document {
 public:
     [[nodiscard]] std::size_t add_mesh(const std::string& name, const std::vector<Patch>& patches);
     [[nodiscard]] std::size_t add_mesh(const Model& model) { return add_mesh(model.name, patches_of(model)); }
     std::size_t add_node(const Node& node);
+    /// As KHR_lights_punctual has it.
+    [[nodiscard]] std::size_t add_light(const Json& light);
     /// A node "main" with a 16:9 perspective camera at `eye` that looks at `target`.
     void add_main_camera(const glm::dvec3& eye, const glm::dvec3& target, double vertical_field_of_view = 0.7);
     [[nodiscard]] std::vector<std::byte> to_glb() const;

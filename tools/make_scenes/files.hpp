@@ -18,6 +18,7 @@ struct File {
 // The kinds of them, in the order of make_files.
 [[nodiscard]] std::vector<File> make_object_files();
 [[nodiscard]] std::vector<File> make_chapter_files();
+[[nodiscard]] std::vector<File> make_light_files();
 [[nodiscard]] std::vector<File> make_test_files();
 
 /// Scenes that are large or many, for benchmarks alone: not checked in, and not all closed or free of crossings.

@@ -12,8 +12,6 @@
 namespace vkbake::scenes {
 namespace {
 
-glm::dvec3 unit(const glm::dvec3& v) { return v / glm::length(v); }
-
 // Points that different shapes meant to be the same become so, whatever their last bits.
 glm::dvec3 on_grid(const glm::dvec3& p) {
     constexpr double steps = 16384.0;

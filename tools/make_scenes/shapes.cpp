@@ -104,8 +104,6 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<glm::dve
     return triangles;
 }
 
-glm::dvec3 unit(const glm::dvec3& v) { return v / glm::length(v); }
-
 } // namespace
 
 Solid loft(const std::vector<Ring>& rings, Paint paint, Ends ends) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -51,6 +52,8 @@ struct Model {
 /// The same solid in another paint, or with the fibres of the wood in another direction.
 [[nodiscard]] Solid painted(Solid solid, Paint paint);
 [[nodiscard]] Solid grained(Solid solid, const glm::dvec3& grain);
+
+[[nodiscard]] inline glm::dvec3 unit(const glm::dvec3& v) { return v / glm::length(v); }
 
 /// Rotation about an axis through the origin by an angle in turns, right-handed.
 [[nodiscard]] glm::dmat4 about_x(double turns);

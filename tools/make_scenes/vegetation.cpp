@@ -15,8 +15,6 @@ constexpr int sides = 6; // of stems and branches
 // Light-map UVs: wood in the left fifth, a strip a branch; leaves in a grid to its right.
 constexpr float wood_share = 0.2F;
 
-glm::dvec3 unit(const glm::dvec3& v) { return v / glm::length(v); }
-
 glm::dvec3 aslant(const glm::dvec3& v) {
     return unit(glm::cross(v, std::abs(v.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
 }

@@ -1,0 +1,75 @@
+// Scenes that show kinds of light.
+#include "make_scenes/files.hpp"
+#include "make_scenes/furniture.hpp"
+#include "make_scenes/shapes.hpp"
+#include "make_scenes/stage.hpp"
+
+namespace vkbake::scenes {
+namespace {
+
+Model whole(const std::string& name, Solid solid) {
+    Model model{name, {}};
+    model.add(std::move(solid));
+    return model;
+}
+
+void add_lamp(Document& document, const std::string& name, const glm::dvec3& at, const glm::dvec3& target, Json light) {
+    light["name"] = name;
+    Node node;
+    node.name = name;
+    node.light = document.add_light(light);
+    node.translation = at;
+    node.rotation = rotation_towards(at, target);
+    document.add_node(node);
+}
+
+// A floor and two walls at night: a hanging lamp, whose light is soft and comes from under a shade, and a spotlight.
+File lamps_file() {
+    Document document;
+    Stage stage(document);
+    const Cuts cuts{{-2.1, -2.0, 2.6}, {-0.1, 0.0, 2.6}, {-1.6, -1.5, 1.6}};
+    const auto filled = [](const glm::dvec3& p) { return p.x < -2.0 || p.y < 0.0 || p.z < -1.5; };
+    const auto paint = [](const glm::dvec3& p, const glm::dvec3& normal) {
+        return p.y < 0.01 && normal.y > 0.5 ? Paint::terracotta : Paint::plaster;
+    };
+    stage.place("room", stage.mesh(whole("room", blocks(cuts, filled, paint))), glm::dvec3(0.0));
+
+    const glm::dvec3 bulb{-0.85, 1.6, -0.55};
+    const Profile shade{{0.37, 0.05}, {0.12, 0.22}, {0.02, 0.25}, {0.02, 0.24}, {0.115, 0.21}, {0.36, 0.05}};
+    stage.place("shade", stage.mesh(whole("shade", lathe(shade, 32, Paint::rubber, Ends::joined))), bulb);
+    add_lamp(document, "hanging lamp", bulb, bulb - glm::dvec3(0.0, 0.0, 1.0),
+             {{"type", "point"},
+              {"color", {1.0, 0.72, 0.42}},
+              {"intensity", 9.0},
+              {"extras", {{"vkbake", {{"radius", 0.07}}}}}});
+
+    const std::size_t crate = stage.mesh(make_crate({0.5, 0.42, 0.42}, Paint::pine));
+    stage.place("crate", crate, {-0.85, 0, -0.75}, 0.04);
+    const std::size_t jar = stage.mesh(make_jar(24, Paint::blue_enamel));
+    stage.place("jar on the crate", jar, {-0.95, 0.42 + contact_gap, -0.75});
+    stage.place("sack", stage.mesh(make_sack(20)), {-1.55, 0, -1.0}, 0.1);
+    stage.place("barrel", stage.mesh(make_barrel(24)), {-0.05, 0, -1.05}, 0.1);
+
+    stage.place(
+        "plinth",
+        stage.mesh(whole("plinth", bevelled_box({-0.2, contact_gap, -0.2}, {0.2, 0.8, 0.2}, 0.01, Paint::white))),
+        {1.05, 0, -0.75});
+    stage.place("jar on the plinth", stage.mesh(make_jar(32, Paint::terracotta)), {1.05, 0.8, -0.75}, 0.1, 1.4);
+    add_lamp(document, "spotlight", {0.1, 2.3, 1.3}, {1.1, 1.0, -0.75},
+             {{"type", "spot"},
+              {"color", {0.75, 0.86, 1.0}},
+              {"intensity", 42.0},
+              {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.3}}}});
+    document.add_main_camera({0.45, 1.45, 4.0}, {0.0, 0.98, -0.8}, 0.6);
+    return {"lamps.glb", document.to_glb()};
+}
+
+} // namespace
+
+std::vector<File> make_light_files() {
+    std::vector<File> files;
+    files.push_back(lamps_file());
+    return files;
+}
+
+} // namespace vkbake::scenes
