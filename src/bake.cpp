@@ -6,6 +6,7 @@
 #include "geometry_image/draw.hpp"
 #include "lamp_notes.hpp"
 #include "memory_plan.hpp"
+#include "opacity.hpp"
 #include "stage_clock.hpp"
 #include "surface/make_surface.hpp"
 #include "surface/resolution.hpp"
@@ -35,7 +36,11 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     add_notes(bake.atlas.notes);
     add_notes(note_small_texels(bake.surface, bake.atlas));
     check_memory(memory_need(scene, sky, settings, bake.atlas.pages.size()), settings);
-    const Tracer tracer = clock.run("accelerator", [&] { return Tracer(bake.surface, sky, settings, scene.lamps); });
+    std::optional<SurfaceOpacity> opacity;
+    const Tracer tracer = clock.run("accelerator", [&] {
+        opacity = make_opacity(scene, bake.surface, settings);
+        return Tracer(bake.surface, sky, settings, scene.lamps, opacity ? &*opacity : nullptr);
+    });
 
     const std::size_t pages = bake.atlas.pages.size();
     GeometryImage geometry;

@@ -13,8 +13,8 @@ namespace vkbake {
 
 namespace {
 
-std::vector<ColorTexture> decode_textures(const Scene& scene) {
-    const std::vector<ColorUse> uses = color_uses(scene);
+std::vector<ColorTexture> decode_textures(const Scene& scene, Alpha alpha) {
+    const std::vector<ColorUse> uses = color_uses(scene, alpha);
     std::vector<ColorTexture> textures(scene.images.size());
     for (std::size_t image = 0; image < textures.size(); ++image) {
         if (uses[image] != ColorUse::none) {
@@ -78,9 +78,9 @@ void add_bounces(const Scene& scene, const Tracer& tracer, const std::function<c
     std::vector<SurfaceColors> colors;
     std::vector<LeavingLight> lights;
     clock.run("surface colors", [&] {
-        const std::vector<ColorTexture> textures = decode_textures(scene);
+        const std::vector<ColorTexture> textures = decode_textures(scene, bake.settings.alpha);
         for (std::size_t page = 0; page < pages; ++page) {
-            colors.push_back(make_surface_colors(scene, bake.surface, draw(page), textures));
+            colors.push_back(make_surface_colors(scene, bake.surface, draw(page), textures, bake.settings.alpha));
             lights.push_back(leaving(bake.light_maps[page].image, colors[page], true));
         }
         return 0;

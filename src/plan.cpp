@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <set>
 
 #include "base/boundary.hpp"
 #include "material/surface_colors.hpp"
+#include "trace/surface_opacity.hpp"
 
 namespace vkbake {
 
@@ -111,7 +114,7 @@ PlanEntry plan_emission(const Scene& scene, const Settings& settings) {
 
 PlanEntry plan_textures(const Scene& scene, const Settings& settings) {
     const auto needed = static_cast<std::size_t>(
-        std::ranges::count_if(color_uses(scene), [](ColorUse use) { return use != ColorUse::none; }));
+        std::ranges::count_if(color_uses(scene, settings.alpha), [](ColorUse use) { return use != ColorUse::none; }));
     const std::string images = std::to_string(needed) + (needed == 1 ? " image" : " images");
     if (needed == 0) {
         return {"albedo textures", false, "none that reflects or emits"};
@@ -121,12 +124,27 @@ PlanEntry plan_textures(const Scene& scene, const Settings& settings) {
                : PlanEntry{"albedo textures", false, images + ", not decoded: there are no bounces"};
 }
 
-PlanEntry plan_alpha(const Scene& scene) {
-    const std::size_t open =
-        count_materials(scene, [](const Material& material) { return material.alpha_mode != AlphaMode::opaque; });
-    return {"alpha", false,
-            open == 0 ? "every material is opaque"
-                      : of_materials(open, scene) + " are MASK or BLEND: taken for opaque, their shadows are whole"};
+PlanEntry plan_alpha(const Scene& scene, const Settings& settings) {
+    std::set<std::uint32_t> materials;
+    std::size_t triangles = 0;
+    std::size_t all = 0;
+    for (const Instance& instance : scene.instances) {
+        for (const Primitive& primitive : scene.meshes.at(instance.mesh).primitives) {
+            all += primitive.indices.size() / 3;
+            if (lets_light_through(scene, primitive)) {
+                materials.insert(*primitive.material);
+                triangles += primitive.indices.size() / 3;
+            }
+        }
+    }
+    if (triangles == 0) {
+        return {"alpha", false, "no surface lets light through"};
+    }
+    const std::string what = of_materials(materials.size(), scene) + ", " +
+                             percent(static_cast<double>(triangles) / static_cast<double>(all)) + " of the triangles";
+    return settings.alpha == Alpha::opaque
+               ? PlanEntry{"alpha", false, what + ", let light through: taken for whole (--alpha opaque)"}
+               : PlanEntry{"alpha", true, what + ": looked up where rays meet them"};
 }
 
 } // namespace
@@ -138,7 +156,7 @@ std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings) {
                                       plan_bounces(scene, settings),
                                       plan_emission(scene, settings),
                                       plan_textures(scene, settings),
-                                      plan_alpha(scene)};
+                                      plan_alpha(scene, settings)};
     });
 }
 

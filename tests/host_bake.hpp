@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 
 #include "atlas/make_atlas.hpp"
 #include "geometry_image/reference.hpp"
+#include "opacity.hpp"
 #include "same_bits.hpp"
 #include "surface/make_surface.hpp"
 #include "trace/tracer.hpp"
@@ -35,7 +37,8 @@ inline HostBake bake_on_host(const Scene& scene, const Sky& sky, const Settings&
     HostBake bake;
     bake.surface = make_surface(scene);
     bake.atlas = make_atlas(scene, bake.surface, settings);
-    const Tracer tracer(bake.surface, sky, settings);
+    const std::optional<SurfaceOpacity> opacity = make_opacity(scene, bake.surface, settings);
+    const Tracer tracer(bake.surface, sky, settings, scene.lamps, opacity ? &*opacity : nullptr);
     for (std::uint32_t page = 0; page < bake.atlas.pages.size(); ++page) {
         bake.geometry.push_back(reference_geometry_image(bake.surface, bake.atlas, page));
         bake.maps.push_back(tracer.trace(bake.geometry.back()));

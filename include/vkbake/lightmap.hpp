@@ -16,8 +16,9 @@ namespace vkbake {
 /// Counts over one map. All but `seconds` are the same for every machine, thread count and accelerator.
 struct LightMapStatistics {
     std::uint64_t covered_texels = 0;
-    std::uint64_t rays = 0; ///< traced
-    std::uint64_t occluded_rays = 0;
+    std::uint64_t rays = 0;               ///< traced
+    std::uint64_t occluded_rays = 0;      ///< of those: nothing comes along them
+    std::uint64_t filtered_rays = 0;      ///< of those: met a triangle that is not opaque, and were looked up there
     std::uint64_t skipped_directions = 0; ///< at or below the geometric plane: add nothing, not traced
     std::uint64_t probed_hits = 0;        ///< hits among the rays whose nearest hit was looked at (one a texel)
     std::uint64_t back_side_hits = 0;     ///< of those, on a triangle's back

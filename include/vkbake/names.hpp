@@ -45,6 +45,12 @@ struct Names<Switch> {
 };
 
 template<>
+struct Names<Alpha> {
+    static constexpr std::array<std::pair<std::string_view, Alpha>, 2> values{
+        {{"traced", Alpha::traced}, {"opaque", Alpha::opaque}}};
+};
+
+template<>
 struct Names<Sampler> {
     static constexpr std::array<std::pair<std::string_view, Sampler>, 2> values{
         {{"cosine", Sampler::cosine}, {"thesis", Sampler::thesis}}};

@@ -25,6 +25,7 @@ struct EncodedImage {
 };
 
 enum class Wrap : std::uint8_t { repeat, clamp, mirror };
+enum class Filter : std::uint8_t { linear, nearest };
 
 /// A texture as a material uses it. uv' = offset + rotate(rotation) · (scale · uv)  (KHR_texture_transform).
 struct TextureUse {
@@ -32,6 +33,7 @@ struct TextureUse {
     std::uint32_t tex_coord = 0; ///< which TEXCOORD_n
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
+    Filter filter = Filter::linear; ///< where a texel covers more than a pixel (glTF's magFilter)
     glm::vec2 offset{0.0F};
     float rotation = 0.0F; ///< radians, counter-clockwise in glTF's sense
     glm::vec2 scale{1.0F};
@@ -53,7 +55,9 @@ struct Material {
     float metallic = 0.0F; ///< 0 … 1: of metal, which reflects nothing diffusely. (glTF's own default is 1.)
     std::optional<TextureUse> metallic_texture; ///< blue channel, linear: multiplies `metallic`
     AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha_cutoff = 0.5F;
+    float alpha_cutoff = 0.5F; ///< MASK: from here on a point is opaque
+    float transmission = 0.0F; ///< 0 … 1: of what does not reflect, the share that passes, coloured by the base colour
+    std::optional<TextureUse> transmission_texture; ///< red channel, linear: multiplies `transmission`
     bool double_sided = false;
     glm::vec3 emissive{0.0F}; ///< linear
     std::optional<TextureUse> emissive_texture;

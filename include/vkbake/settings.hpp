@@ -18,6 +18,10 @@ enum class ChartMaker : std::uint8_t {
 }; ///< grown: few charts within a bound of stretch; polypack: the thesis's, by facing
 enum class Mode : std::uint8_t { irradiance, ao }; ///< E/π, or cosine-weighted visibility
 enum class Switch : std::uint8_t { on, off };
+enum class Alpha : std::uint8_t {
+    traced,
+    opaque
+}; ///< traced: MASK, BLEND and transmission are looked up where rays meet them; opaque: all is whole
 enum class Sampler : std::uint8_t { cosine, thesis };
 enum class Accelerator : std::uint8_t { bvh, clusters, brute };
 enum class TriangleTest : std::uint8_t { watertight, moller_trumbore };
@@ -41,6 +45,7 @@ struct Settings {
     /// also brings what surfaces emit. 0 … 64; mode irradiance.
     std::uint32_t bounces = 0;
     std::uint32_t bounce_rays = 64; ///< a texel and bounce; ≥ 1. Sampler `thesis` always takes its own 256
+    Alpha alpha = Alpha::traced;
     /// Relative error that a map is to have: root-mean-square error of luminance ÷ the map's mean, and no more than one
     /// texel in a hundred with a standard error above eight times that. Each texel then gets as many rays as it takes,
     /// 16 to 65536, and `rays` means nothing; the errors are estimated. Of the sky's direct light: bounces have their

@@ -81,6 +81,12 @@ std::optional<Hit> TriangleAccelerator::nearest(const Ray& ray) const {
     return Hit{m_state->list.numbers[hit.rank], hit.distance, hit.back_side};
 }
 
+bool TriangleAccelerator::filter(const Ray& ray, CrossingFilter& filter) const {
+    PreparedRay prepared(ray, m_state->list.bounds);
+    prepared.ignored_rank = rank_of(ray.ignored_triangle, m_state->list.ranks);
+    return prepared.valid && m_state->caster->filter(prepared, {m_state->list.numbers, filter});
+}
+
 BlockedRays TriangleAccelerator::blocked(const RayBlock& block, BlockScratch& scratch) const {
     std::array<std::uint32_t, RayBlock::lanes> ignored_ranks{};
     for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {

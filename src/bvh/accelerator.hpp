@@ -36,6 +36,30 @@ struct Hit {
     bool back_side = false;     ///< the corners run clockwise as the ray sees them
 };
 
+/// A triangle on a ray's way.
+struct Crossing {
+    Hit hit;
+    std::uint32_t rank = 0; ///< its place in the canonical order, among the triangles that have an area
+    /// Where a ray passes exactly through an edge or a corner, every triangle that touches there is met. Those that
+    /// count are the ones that a ray infinitely little beside it meets, always on the same side: so where triangles lie
+    /// side by side one of them counts, and at a fold both or none. Watertight test only; otherwise all count.
+    bool counts = true;
+};
+
+/// Is shown what a ray meets.
+class CrossingFilter {
+public:
+    CrossingFilter() = default;
+    CrossingFilter(const CrossingFilter&) = delete;
+    CrossingFilter& operator=(const CrossingFilter&) = delete;
+
+    /// Returns true where the ray ends there.
+    [[nodiscard]] virtual bool ends(const Crossing& crossing) = 0;
+
+protected:
+    ~CrossingFilter() = default;
+};
+
 struct AcceleratorSettings {
     Accelerator kind = Accelerator::bvh;
     TriangleTest test = TriangleTest::watertight; ///< moller_trumbore: brute and clusters only
@@ -69,8 +93,9 @@ public:
 /// Both sides block. Rays may be asked from any number of threads; nothing is allocated while tracing.
 class TriangleAccelerator {
 public:
-    /// `positions`: 3 a triangle, finite; they are copied. `canonical_order`: every triangle once, as in Surface; of
-    /// hits at equal distance the first in this order wins. What is built depends on the triangles in this order only.
+    /// `positions`: 3 a triangle, finite; they are copied. `canonical_order`: the triangles of the set, each once, in
+    /// the order of Surface's; of hits at equal distance the first in this order wins. What is built depends on the
+    /// triangles in this order only.
     /// Throws Error{usage} for settings that contradict each other or are out of range.
     TriangleAccelerator(std::span<const glm::vec3> positions, std::span<const std::uint32_t> canonical_order,
                         const AcceleratorSettings& settings);
@@ -82,6 +107,9 @@ public:
 
     [[nodiscard]] bool occluded(const Ray& ray) const;              ///< whether anything is met
     [[nodiscard]] std::optional<Hit> nearest(const Ray& ray) const; ///< what is met first
+    /// Shows the filter each triangle that is met, once, in an order not to be relied on, until it ends the ray.
+    /// Returns whether it did.
+    bool filter(const Ray& ray, CrossingFilter& filter) const;
     /// The same answers as occluded() gives to each ray that is active.
     [[nodiscard]] BlockedRays blocked(const RayBlock& block, BlockScratch& scratch) const;
     [[nodiscard]] BlockScratch make_scratch() const;

@@ -21,6 +21,15 @@ NearestHit BruteForce::nearest(const PreparedRay& ray) const {
     return best;
 }
 
+bool BruteForce::filter(const PreparedRay& ray, const RankedFilter& filter) const {
+    for (std::uint32_t rank = 0; rank < m_triangles.size(); ++rank) {
+        if (rank != ray.ignored_rank && filter_triangle(m_test, ray, m_triangles[rank], rank, filter)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 AcceleratorStatistics BruteForce::statistics() const {
     AcceleratorStatistics statistics;
     statistics.bytes = m_triangles.capacity() * sizeof(Triangle);

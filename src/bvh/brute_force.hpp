@@ -14,6 +14,7 @@ public:
 
     [[nodiscard]] bool occluded(const PreparedRay& ray) const override;
     [[nodiscard]] NearestHit nearest(const PreparedRay& ray) const override;
+    [[nodiscard]] bool filter(const PreparedRay& ray, const RankedFilter& filter) const override;
     [[nodiscard]] AcceleratorStatistics statistics() const override;
 
 private:

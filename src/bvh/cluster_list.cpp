@@ -43,6 +43,21 @@ NearestHit ClusterList::nearest(const PreparedRay& ray) const {
     return best;
 }
 
+bool ClusterList::filter(const PreparedRay& ray, const RankedFilter& filter) const {
+    for (const Cluster& cluster : m_clusters) {
+        const Interval interval = pass(ray, cluster.box);
+        if (interval.entry > interval.exit) {
+            continue;
+        }
+        for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
+            if (m_ranks[i] != ray.ignored_rank && filter_triangle(m_test, ray, m_triangles[i], m_ranks[i], filter)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 AcceleratorStatistics ClusterList::statistics() const {
     AcceleratorStatistics statistics;
     statistics.clusters = m_clusters.size();

@@ -91,9 +91,10 @@ private:
     LeafRays m_rays;
 };
 
-bool occluded(const Hierarchy& hierarchy, const PreparedRay& ray) {
+/// Calls visit(leaf, child) for the leaves whose boxes the ray passes until it returns true; returns whether it did.
+template<class Visit>
+HWY_INLINE bool any_leaf(const Hierarchy& hierarchy, const PreparedRay& ray, const Visit& visit) {
     const NodeTest passes(ray);
-    const LeafTest test(hierarchy, ray);
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeroing costs more than a ray
     std::array<std::uint32_t, stack_size> stack;
     alignas(64) std::array<float, node_width> entries{};
@@ -106,20 +107,38 @@ bool occluded(const Hierarchy& hierarchy, const PreparedRay& ray) {
             for (unsigned bits = passes(node, ray.max_distance, entries); bits != 0; bits &= bits - 1) {
                 stack[size++] = node.children[static_cast<std::size_t>(std::countr_zero(bits))];
             }
-            continue;
-        }
-        const Leaf& leaf = hierarchy.leaves[leaf_index(child)];
-        const Candidates candidates = test(leaf, child);
-        if (candidates.met) {
+        } else if (visit(hierarchy.leaves[leaf_index(child)], child)) {
             return true;
         }
-        for (unsigned bits = candidates.bits; bits != 0; bits &= bits - 1) {
+    }
+    return false;
+}
+
+bool occluded(const Hierarchy& hierarchy, const PreparedRay& ray) {
+    const LeafTest test(hierarchy, ray);
+    return any_leaf(hierarchy, ray, [&](const Leaf& leaf, std::uint32_t child) HWY_ATTR {
+        const Candidates candidates = test(leaf, child);
+        for (unsigned bits = candidates.bits; bits != 0 && !candidates.met; bits &= bits - 1) {
             if (test_watertight(ray, triangle_in(leaf, static_cast<std::size_t>(std::countr_zero(bits)))).hit) {
                 return true;
             }
         }
-    }
-    return false;
+        return candidates.met;
+    });
+}
+
+bool filter(const Hierarchy& hierarchy, const PreparedRay& ray, const RankedFilter& crossings) {
+    const LeafTest test(hierarchy, ray);
+    return any_leaf(hierarchy, ray, [&](const Leaf& leaf, std::uint32_t child) HWY_ATTR {
+        for (unsigned bits = test(leaf, child).bits; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            if (filter_triangle(TriangleTest::watertight, ray, triangle_in(leaf, lane),
+                                hierarchy.ranks[leaf.first_place + lane], crossings)) {
+                return true;
+            }
+        }
+        return false;
+    });
 }
 
 struct Pending {
@@ -178,6 +197,7 @@ namespace vkbake {
 
 HWY_EXPORT(occluded);
 HWY_EXPORT(nearest);
+HWY_EXPORT(filter);
 
 HierarchyCaster::HierarchyCaster(Hierarchy hierarchy) : m_hierarchy(std::move(hierarchy)) {}
 
@@ -187,6 +207,10 @@ bool HierarchyCaster::occluded(const PreparedRay& ray) const {
 
 NearestHit HierarchyCaster::nearest(const PreparedRay& ray) const {
     return HWY_DYNAMIC_DISPATCH(nearest)(m_hierarchy, ray);
+}
+
+bool HierarchyCaster::filter(const PreparedRay& ray, const RankedFilter& filter) const {
+    return HWY_DYNAMIC_DISPATCH(filter)(m_hierarchy, ray, filter);
 }
 
 BlockedRays HierarchyCaster::blocked(const RayBlock& block, const IgnoredRanks& ignored, const Box& bounds,

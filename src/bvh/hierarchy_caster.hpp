@@ -13,6 +13,7 @@ public:
 
     [[nodiscard]] bool occluded(const PreparedRay& ray) const override;
     [[nodiscard]] NearestHit nearest(const PreparedRay& ray) const override;
+    [[nodiscard]] bool filter(const PreparedRay& ray, const RankedFilter& filter) const override;
     [[nodiscard]] BlockedRays blocked(const RayBlock& block, const IgnoredRanks& ignored, const Box& bounds,
                                       BlockScratch& scratch) const override;
     [[nodiscard]] BlockScratch make_scratch() const override;

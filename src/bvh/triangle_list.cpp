@@ -1,5 +1,7 @@
 #include "bvh/triangle_list.hpp"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
@@ -19,13 +21,16 @@ bool has_area(const Triangle& triangle) {
 
 constexpr std::size_t grain = 8192;
 
-// Marks with no_triangle those without area, and bounds the others.
+// Marks with no_triangle those without area, and bounds the others; those that are marked already are left out.
 Box bounds_of_listed(std::span<const glm::vec3> positions, std::vector<std::uint32_t>& ranks, int threads) {
     std::vector<Box> by_worker(worker_count(threads));
     parallel_ranges_by_worker(
         ranks.size(), grain, threads, [&](std::size_t begin, std::size_t end, std::size_t worker) {
             Box box;
             for (std::size_t number = begin; number < end; ++number) {
+                if (ranks[number] == no_triangle) {
+                    continue;
+                }
                 const Triangle triangle{{positions[3 * number], positions[3 * number + 1], positions[3 * number + 2]}};
                 if (has_area(triangle)) {
                     box.add(triangle.bounds());
@@ -46,19 +51,23 @@ Box bounds_of_listed(std::span<const glm::vec3> positions, std::vector<std::uint
 
 TriangleList list_triangles(std::span<const glm::vec3> positions, std::span<const std::uint32_t> canonical_order,
                             int threads) {
-    if (positions.size() != 3 * canonical_order.size()) {
+    const std::size_t count = positions.size() / 3;
+    if (canonical_order.size() > count || std::ranges::any_of(canonical_order, [&](auto n) { return n >= count; })) {
         throw Error(ErrorKind::bake_failed,
-                    "accelerator: the canonical order and the positions differ in length; report this");
+                    "accelerator: the canonical order names a missing triangle, or one twice; report this");
     }
     TriangleList list;
-    list.ranks.resize(canonical_order.size());
+    if (canonical_order.size() == count) {
+        list.ranks.resize(count);
+    } else {
+        list.ranks.resize(count, no_triangle);
+        for (const std::uint32_t number : canonical_order) {
+            list.ranks[number] = 0;
+        }
+    }
     list.bounds = bounds_of_listed(positions, list.ranks, threads);
     list.numbers.reserve(canonical_order.size());
     for (const std::uint32_t number : canonical_order) {
-        if (number >= canonical_order.size()) {
-            throw Error(ErrorKind::bake_failed,
-                        "accelerator: the canonical order names a missing triangle; report this");
-        }
         if (list.ranks[number] != no_triangle) {
             list.ranks[number] = static_cast<std::uint32_t>(list.numbers.size());
             list.numbers.push_back(number);

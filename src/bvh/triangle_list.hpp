@@ -25,7 +25,7 @@ struct Triangle {
     }
 };
 
-/// Triangles in canonical order: of equal distances the least rank wins.
+/// Some of the triangles that were given, in canonical order: of equal distances the least rank wins.
 struct TriangleList {
     std::vector<std::uint32_t> numbers; ///< by rank: the triangle's number in the positions that were given
     std::vector<std::uint32_t> ranks;   ///< by number; no_triangle for those that were left out
@@ -33,7 +33,8 @@ struct TriangleList {
 };
 
 /// Orders the triangles and leaves out those whose corners lie on one line: rounding could make them block, and they
-/// have no area to block with. Throws Error{bake_failed} where the order does not fit the positions.
+/// have no area to block with. The order may name some of the triangles only; it names none twice. Throws
+/// Error{bake_failed} where the order does not fit the positions.
 [[nodiscard]] TriangleList list_triangles(std::span<const glm::vec3> positions,
                                           std::span<const std::uint32_t> canonical_order, int threads);
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "bvh/prepared_ray.hpp"
 #include "bvh/triangle_list.hpp"
@@ -48,6 +51,26 @@ struct TriangleHit {
         edge.u * static_cast<double>(a[z]) + edge.v * static_cast<double>(b[z]) + edge.w * static_cast<double>(c[z]);
     const auto distance = static_cast<float>(scaled / (determinant * static_cast<double>(ray.direction[z])));
     return {distance > 0.0F && distance < ray.max_distance, back, distance};
+}
+
+/// Whether a triangle that test_watertight meets counts as a crossing (see Crossing): whether it would be met if the
+/// ray ran by (ε, ε²), ε infinitely small, beside itself in the sheared plane. Corners are sheared there each by
+/// itself, so triangles that share an edge see it alike, and of an edge function that is exactly 0 the displacement
+/// alone decides: Edelsbrunner, Mücke, "Simulation of Simplicity" (1990); rasterizers' top-left rule is of the kind.
+[[nodiscard]] inline bool counts(const ShearedRay& ray, const Triangle& triangle) {
+    std::array<glm::dvec2, 3> corners{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const glm::vec3 offset = triangle.corners[corner] - ray.origin;
+        corners[corner] = {shear(offset[ray.x_axis], ray.shear_x, offset[ray.z_axis]),
+                           shear(offset[ray.y_axis], ray.shear_y, offset[ray.z_axis])};
+    }
+    const auto left_of = [](const glm::dvec2& from, const glm::dvec2& to) {
+        const double doubled_area = from.x * to.y - from.y * to.x; // of floats: the sign is exact
+        const double beside = from.y != to.y ? from.y - to.y : to.x - from.x;
+        return (doubled_area != 0.0 ? doubled_area : beside) > 0.0;
+    };
+    const bool first = left_of(corners[0], corners[1]);
+    return left_of(corners[1], corners[2]) == first && left_of(corners[2], corners[0]) == first;
 }
 
 /// Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), in the form of the thesis, §2.7.1: not

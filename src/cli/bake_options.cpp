@@ -74,6 +74,8 @@ void add_light_options(CLI::App& app, Settings& settings) {
     app.add_option("--bounce-rays", settings.bounce_rays, "Rays a texel of each bounce")
         ->check(CLI::Range(1U, 1U << 24U))
         ->capture_default_str();
+    add_choice(app, "--alpha", settings.alpha,
+               "Let light through where a material's alpha or transmission does, or take all surfaces for whole");
     app.add_option_function<double>(
            "--target-error", [&settings](double error) { settings.target_error = error; },
            "Instead of --rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")

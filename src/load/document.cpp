@@ -16,12 +16,13 @@ namespace vkbake::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> supported_extensions = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 9> supported_extensions = {"KHR_mesh_quantization",
                                                                   "EXT_meshopt_compression",
                                                                   "KHR_draco_mesh_compression",
                                                                   "KHR_texture_transform",
                                                                   "KHR_materials_emissive_strength",
                                                                   "KHR_materials_pbrSpecularGlossiness",
+                                                                  "KHR_materials_transmission",
                                                                   "MOZ_lightmap",
                                                                   "KHR_lights_punctual"};
 

@@ -60,6 +60,12 @@ public:
         }
         material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
         material.double_sided = source.doubleSided;
+        if (const auto* const extension = find(source, "KHR_materials_transmission")) {
+            material.transmission = number_or(*extension, "transmissionFactor", 0.0);
+            if (extension->Has("transmissionTexture")) {
+                material.transmission_texture = texture_use(extension->Get("transmissionTexture"));
+            }
+        }
         double strength = 1.0;
         if (const auto* const extension = find(source, "KHR_materials_emissive_strength")) {
             strength =
@@ -96,6 +102,7 @@ private:
             const tinygltf::Sampler& sampler = m_data.samplers.at(static_cast<std::size_t>(texture.sampler));
             use.wrap_u = to_wrap(sampler.wrapS);
             use.wrap_v = to_wrap(sampler.wrapT);
+            use.filter = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? Filter::nearest : Filter::linear;
         }
         return use;
     }

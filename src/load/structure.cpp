@@ -89,6 +89,10 @@ private:
             (void)diffuse->numbers("diffuseFactor", 4);
             check_texture_use(*diffuse, "diffuseTexture");
         }
+        if (const auto transmission = material.extension("KHR_materials_transmission")) {
+            (void)transmission->number("transmissionFactor");
+            check_texture_use(*transmission, "transmissionTexture");
+        }
         if (const auto light_map = material.extension("MOZ_lightmap")) {
             check_texture_fields(*light_map);
             (void)light_map->number("intensity");

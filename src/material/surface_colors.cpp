@@ -21,8 +21,9 @@ const Primitive& primitive_of(const Scene& scene, const Surface& surface, const 
 /// One primitive's material at points of its triangles.
 class Painter {
 public:
-    Painter(const Primitive& primitive, const Material& material, std::span<const ColorTexture> textures)
-        : m_primitive(primitive), m_material(material), m_textures(textures) {}
+    Painter(const Primitive& primitive, const Material& material, std::span<const ColorTexture> textures, Alpha alpha)
+        : m_primitive(primitive), m_material(material), m_textures(textures),
+          m_transmission(alpha == Alpha::traced ? material.transmission : 0.0F) {}
 
     /// At the point with the given weights of three vertices.
     [[nodiscard]] glm::vec3 albedo(const std::array<std::uint32_t, 3>& vertices, const glm::vec3& weights) const {
@@ -36,7 +37,11 @@ public:
             color *= mixed;
         }
         const float metallic = m_material.metallic * texture(m_material.metallic_texture, vertices, weights).b;
-        return glm::clamp(color, 0.0F, 1.0F) * (1.0F - std::clamp(metallic, 0.0F, 1.0F));
+        const float transmission = m_transmission > 0.0F
+                                       ? m_transmission * texture(m_material.transmission_texture, vertices, weights).r
+                                       : 0.0F;
+        return glm::clamp(color, 0.0F, 1.0F) * (1.0F - std::clamp(metallic, 0.0F, 1.0F)) *
+               (1.0F - std::clamp(transmission, 0.0F, 1.0F));
     }
 
     [[nodiscard]] glm::vec3 emission(const std::array<std::uint32_t, 3>& vertices, const glm::vec3& weights) const {
@@ -62,6 +67,7 @@ private:
     const Primitive& m_primitive;
     const Material& m_material;
     std::span<const ColorTexture> m_textures;
+    float m_transmission; ///< what does not get through reflects
 };
 
 template<typename Property>
@@ -100,11 +106,14 @@ bool emits(const Scene& scene) {
     return any_shown(scene, [](const Material& material) { return emits(material); });
 }
 
-std::vector<ColorUse> color_uses(const Scene& scene) {
+std::vector<ColorUse> color_uses(const Scene& scene, Alpha alpha) {
     std::vector<ColorUse> uses(scene.images.size(), ColorUse::none);
     for (const Material& material : scene.materials) {
         if (reflects(material)) {
             want(uses, material.metallic_texture, ColorUse::linear);
+            if (alpha == Alpha::traced && material.transmission > 0.0F) {
+                want(uses, material.transmission_texture, ColorUse::linear);
+            }
             want(uses, material.base_color_texture, ColorUse::color);
         }
         if (emits(material)) {
@@ -115,14 +124,14 @@ std::vector<ColorUse> color_uses(const Scene& scene) {
 }
 
 SurfaceColors make_surface_colors(const Scene& scene, const Surface& surface, const GeometryImage& geometry,
-                                  std::span<const ColorTexture> textures) {
+                                  std::span<const ColorTexture> textures, Alpha alpha) {
     const Material absent;
     std::vector<Painter> painters;
     painters.reserve(surface.parts.size());
     for (const SurfacePart& part : surface.parts) {
         const Primitive& primitive = primitive_of(scene, surface, part);
         const bool known = primitive.material && *primitive.material < scene.materials.size();
-        painters.emplace_back(primitive, known ? scene.materials[*primitive.material] : absent, textures);
+        painters.emplace_back(primitive, known ? scene.materials[*primitive.material] : absent, textures, alpha);
     }
     SurfaceColors colors;
     colors.albedo.assign(geometry.texel_count(), glm::vec3(0.0F));

@@ -1,7 +1,6 @@
 #include "trace/gather_tracer.hpp"
 
 #include <bit>
-#include <optional>
 
 #include "bvh/each_ray.hpp"
 
@@ -12,15 +11,16 @@ void GatherTracer::sum_up(const TexelTile& tile) {
     m_rays.begin(tile);
     for (std::size_t number = 0; number < m_plan->block_count(); ++number) {
         const RayBlock& block = m_rays.make(number);
-        const BlockedRays blocked = m_accelerator->blocked(block, m_scratch);
+        const BlockedRays met = m_visibility->met(block, m_scratch);
         const RayPlan::Weights weights = m_plan->weights(number);
         for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
             m_counts.rays += static_cast<std::uint64_t>(std::popcount(block.active[stratum]));
-            for (unsigned left = blocked[stratum]; left != 0; left &= left - 1) {
+            for (unsigned left = met[stratum]; left != 0; left &= left - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(left));
                 const Ray ray = ray_of(block, stratum, lane);
-                if (const std::optional<Hit> hit = m_accelerator->nearest(ray)) {
-                    m_sums[lane] += weights[stratum] * glm::dvec3(m_light->along(ray, *hit));
+                for (const SeenSurface& seen : m_visibility->surfaces(ray, m_scratch)) {
+                    m_sums[lane] +=
+                        weights[stratum] * (glm::dvec3(seen.share) * glm::dvec3(m_light->along(ray, seen.hit)));
                 }
             }
         }

@@ -5,22 +5,22 @@
 
 #include <glm/vec3.hpp>
 
-#include "bvh/accelerator.hpp"
 #include "trace/surface_light.hpp"
 #include "trace/tile_rays.hpp"
 #include "trace/tile_tracer.hpp"
+#include "trace/visibility.hpp"
 
 namespace vkbake {
 
 /// As TileTracer, for light that comes from where rays end in place of where they end nowhere. Which rays meet
-/// something is asked in blocks; what they meet first, of those alone, ray by ray.
+/// something is asked in blocks; what they see of it, of those alone, ray by ray.
 class GatherTracer {
 public:
     /// All must outlive it.
     GatherTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SurfaceLight& light,
-                 const TriangleAccelerator& accelerator)
-        : m_plan(&plan), m_light(&light), m_accelerator(&accelerator), m_rays(surface, geometry, plan),
-          m_scratch(accelerator.make_scratch()) {}
+                 const Visibility& visibility)
+        : m_plan(&plan), m_light(&light), m_visibility(&visibility), m_rays(surface, geometry, plan),
+          m_scratch(visibility.make_scratch()) {}
 
     /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
     template<typename Store>
@@ -37,11 +37,11 @@ public:
 private:
     void sum_up(const TexelTile& tile);
 
-    const RayPlan* m_plan;                    ///< never null
-    const SurfaceLight* m_light;              ///< never null
-    const TriangleAccelerator* m_accelerator; ///< never null
+    const RayPlan* m_plan;          ///< never null
+    const SurfaceLight* m_light;    ///< never null
+    const Visibility* m_visibility; ///< never null
     TileRays m_rays;
-    BlockScratch m_scratch;
+    VisibilityScratch m_scratch;
     std::array<glm::dvec3, RayBlock::lanes> m_sums{};
     RayCounts m_counts;
 };

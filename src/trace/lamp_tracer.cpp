@@ -65,9 +65,9 @@ TileLanes upright_lanes() {
 
 } // namespace
 
-LampTracer::LampTracer(const LampSet& lamps, const TriangleAccelerator& accelerator)
-    : m_lamps(&lamps), m_accelerator(&accelerator), m_scratch(accelerator.make_scratch()),
-      m_points_lanes(upright_lanes()), m_discs(lamps.soft.size()), m_reached(lamps.count, 0) {
+LampTracer::LampTracer(const LampSet& lamps, const Visibility& visibility)
+    : m_lamps(&lamps), m_visibility(&visibility), m_scratch(visibility.make_scratch()), m_points_lanes(upright_lanes()),
+      m_discs(lamps.soft.size()), m_reached(lamps.count, 0) {
     m_block.max_distance = 1.0F; // directions are as long as the way to the lamp
 }
 
@@ -141,14 +141,14 @@ void LampTracer::trace_hard(const TileLanes& lanes, std::size_t first, std::size
         }
         m_ray_count += static_cast<std::uint64_t>(std::popcount(m_block.active[i]));
     }
-    const BlockedRays blocked = m_accelerator->blocked(m_block, m_scratch);
+    const BlockedRays blocked = m_visibility->blocked(m_block, m_scratch);
     for (std::size_t i = 0; i < count; ++i) {
         const ReadyLamp& lamp = m_lamps->hard[first + i];
         const unsigned open = m_block.active[i] & ~static_cast<unsigned>(blocked[i]);
         m_reached[lamp.number] += static_cast<std::uint64_t>(std::popcount(open));
         for (unsigned left = open; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            m_sums[lane] += strength[i][lane] * lamp.light;
+            m_sums[lane] += strength[i][lane] * (glm::dvec3(m_scratch.transmittance(i, lane)) * lamp.light);
         }
     }
 }
@@ -223,9 +223,8 @@ void LampTracer::aim(const ReadyLamp& lamp, const Disc& disc) {
 }
 
 void LampTracer::trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* parts) {
-    const BlockedRays blocked = m_accelerator->blocked(m_block, m_scratch);
+    const BlockedRays blocked = m_visibility->blocked(m_block, m_scratch);
     const unsigned shift = parts != nullptr ? part_shift(m_plan->samples()) : 0;
-    const double bright = luminance(lamp.light);
     std::array<double, RayBlock::lanes> weights{};
     for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
         m_ray_count += static_cast<std::uint64_t>(std::popcount(m_block.active[stratum]));
@@ -234,11 +233,17 @@ void LampTracer::trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* 
         for (unsigned left = open; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const auto weight = static_cast<double>(m_weights[stratum][lane]);
-            weights[lane] += weight;
+            const bool dimmed = (m_scratch.dimmed()[stratum] >> lane & 1U) != 0;
+            const glm::dvec3 light = glm::dvec3(m_scratch.transmittance(stratum, lane)) * lamp.light;
+            if (dimmed) {
+                m_sums[lane] += weight * disc.strength[lane] * light;
+            } else {
+                weights[lane] += weight;
+            }
             if (parts != nullptr) {
                 const std::uint32_t part = m_indices.of[stratum][lane] >> shift;
                 if (part < part_count) { // those beyond a power of two belong to none
-                    parts->luminance[part][lane] += bright * disc.strength[lane] * weight;
+                    parts->luminance[part][lane] += luminance(light) * disc.strength[lane] * weight;
                 }
             }
         }

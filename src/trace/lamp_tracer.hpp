@@ -9,12 +9,12 @@
 
 #include <glm/vec3.hpp>
 
-#include "bvh/accelerator.hpp"
 #include "trace/directions.hpp"
 #include "trace/lamp_set.hpp"
 #include "trace/lane_parts.hpp"
 #include "trace/tile_lanes.hpp"
 #include "trace/tile_rays.hpp"
+#include "trace/visibility.hpp"
 
 namespace vkbake {
 
@@ -33,7 +33,7 @@ namespace vkbake {
 class LampTracer {
 public:
     /// Both must outlive it.
-    LampTracer(const LampSet& lamps, const TriangleAccelerator& accelerator);
+    LampTracer(const LampSet& lamps, const Visibility& visibility);
 
     /// From now on the samples of this plan, which must outlive it.
     void set_plan(const RayPlan& plan);
@@ -72,12 +72,12 @@ private:
     void aim(const ReadyLamp& lamp, const Disc& disc);
     void trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* parts);
 
-    const LampSet* m_lamps;                   ///< never null
-    const TriangleAccelerator* m_accelerator; ///< never null
+    const LampSet* m_lamps;         ///< never null
+    const Visibility* m_visibility; ///< never null
     const RayPlan* m_plan = nullptr;
     const CosineStrata* m_strata = nullptr;
     std::optional<CosineStrata> m_own_strata; ///< where the plan has none
-    BlockScratch m_scratch;
+    VisibilityScratch m_scratch;
     TileLanes m_points_lanes; ///< +Z up, keys of their own
     StratumTables m_tables;
     RayBlock m_points; ///< a block of samples as directions about +Z

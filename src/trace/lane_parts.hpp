@@ -13,7 +13,7 @@ namespace vkbake {
 struct LaneParts {
     alignas(64) std::array<std::array<double, RayBlock::lanes>, part_count> luminance{}; ///< Σ L of the part's samples
     std::array<double, RayBlock::lanes> of_lamps{};    ///< Σ L of all samples that lamps sent
-    std::array<std::uint32_t, RayBlock::lanes> open{}; ///< rays that met nothing
+    std::array<std::uint32_t, RayBlock::lanes> open{}; ///< rays along which light came
     std::array<std::uint32_t, RayBlock::lanes> blocked{};
 };
 

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "base/barycentric.hpp"
+#include "trace/hit_point.hpp"
 
 namespace vkbake {
 
@@ -43,9 +43,7 @@ glm::vec3 SurfaceLight::along(const Ray& ray, const Hit& hit) const {
         return glm::vec3(0.0F);
     }
     const std::size_t first = std::size_t{3} * hit.triangle;
-    const glm::dvec3 point = glm::dvec3(ray.origin) + static_cast<double>(hit.distance) * glm::dvec3(ray.direction);
-    const glm::dvec3 weights = barycentric(
-        {m_surface->positions[first], m_surface->positions[first + 1], m_surface->positions[first + 2]}, point);
+    const glm::dvec3 weights = weights_at(*m_surface, ray, hit);
     glm::dvec2 uv(0.0);
     for (int corner = 0; corner < 3; ++corner) {
         uv += weights[corner] * glm::dvec2(m_atlas->uvs[first + static_cast<std::size_t>(corner)]);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/luminance.hpp"
 #include "base/random.hpp"
 #include "bvh/each_ray.hpp"
 
@@ -24,22 +25,23 @@ std::uint64_t ray_count(const BlockedRays& rays) {
 } // namespace
 
 TileTracer::TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
-                       const TriangleAccelerator& accelerator, const LampSet* lamps)
-    : m_plan(&plan), m_sky(&sky), m_accelerator(&accelerator), m_rays(surface, geometry, plan),
-      m_scratch(accelerator.make_scratch()) {
+                       const Visibility& visibility, const LampSet* lamps)
+    : m_plan(&plan), m_sky(&sky), m_visibility(&visibility), m_rays(surface, geometry, plan),
+      m_scratch(visibility.make_scratch()) {
     if (lamps != nullptr) {
-        m_lamps.emplace(*lamps, accelerator);
+        m_lamps.emplace(*lamps, visibility);
         m_lamps->set_plan(plan);
     }
 }
 
 void TileTracer::sum_up(const TexelTile& tile) {
     m_sums = {};
+    m_dimmed = {};
     m_rays.begin(tile);
     choose_probes();
     for (std::size_t number = 0; number < m_plan->block_count(); ++number) {
         const RayBlock& block = m_rays.make(number, m_with_parts ? &m_indices : nullptr);
-        const BlockedRays blocked = m_accelerator->blocked(block, m_scratch);
+        const BlockedRays blocked = m_visibility->blocked(block, m_scratch);
         const std::uint64_t rays = ray_count(block.active);
         m_counts.rays += rays;
         m_counts.skipped_directions += m_rays.asked() - rays;
@@ -48,7 +50,9 @@ void TileTracer::sum_up(const TexelTile& tile) {
         for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
             open[stratum] = static_cast<RayBlock::LaneBits>(block.active[stratum] & ~blocked[stratum]);
         }
-        add_sky(*m_sky, block, open, m_plan->weights(number), m_sums, m_with_parts ? &m_luminance : nullptr);
+        const RayPlan::Weights weights = m_plan->weights(number);
+        add_dimmed(block, weights, open);
+        add_sky(*m_sky, block, open, weights, m_sums, m_with_parts ? &m_luminance : nullptr);
         if (m_with_parts) {
             add_parts(open, blocked);
         }
@@ -60,17 +64,40 @@ void TileTracer::sum_up(const TexelTile& tile) {
     }
 }
 
+void TileTracer::add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open) {
+    m_counts.filtered_rays = m_scratch.filtered_rays();
+    const bool grey = m_plan->settings().mode == Mode::ao;
+    for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
+        const RayBlock::LaneBits dimmed = m_scratch.dimmed()[stratum];
+        open[stratum] = static_cast<RayBlock::LaneBits>(open[stratum] & ~dimmed);
+        for (unsigned bits = dimmed; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            const auto through = glm::dvec3(m_scratch.transmittance(stratum, lane));
+            const glm::dvec3 light =
+                grey ? glm::dvec3(luminance(through))
+                     : through * glm::dvec3(radiance(*m_sky, ray_of(block, stratum, lane).direction));
+            m_dimmed[lane] += weights[stratum] * light;
+            if (m_with_parts) {
+                add_to_part(stratum, lane, luminance(light));
+            }
+        }
+    }
+}
+
+void TileTracer::add_to_part(std::size_t stratum, std::size_t lane, double luminance) {
+    const std::uint32_t part = m_indices.of[stratum][lane] >> part_shift(m_plan->samples());
+    if (part < part_count) { // those beyond a power of two belong to none
+        m_parts.luminance[part][lane] += luminance;
+    }
+    ++m_parts.open[lane];
+}
+
 void TileTracer::add_parts(const BlockedRays& open, const BlockedRays& blocked) {
-    const unsigned shift = part_shift(m_plan->samples());
     const double scale = luminance_scale(*m_sky);
     for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
         for (unsigned bits = open[stratum]; bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-            const std::uint32_t part = m_indices.of[stratum][lane] >> shift;
-            if (part < part_count) { // those beyond a power of two belong to none
-                m_parts.luminance[part][lane] += scale * static_cast<double>(m_luminance[stratum][lane]);
-            }
-            ++m_parts.open[lane];
+            add_to_part(stratum, lane, scale * static_cast<double>(m_luminance[stratum][lane]));
         }
         for (unsigned bits = blocked[stratum]; bits != 0; bits &= bits - 1) {
             ++m_parts.blocked[static_cast<std::size_t>(std::countr_zero(bits))];
@@ -96,7 +123,7 @@ void TileTracer::probe(std::size_t number, const RayBlock& block, const BlockedR
         if (m_probes[lane] / RayBlock::strata != number || ((blocked[stratum] >> lane) & 1U) == 0) {
             continue;
         }
-        const std::optional<Hit> hit = m_accelerator->nearest(ray_of(block, stratum, lane));
+        const std::optional<Hit> hit = m_visibility->nearest(ray_of(block, stratum, lane), m_scratch);
         if (hit) {
             ++m_counts.probed_hits;
             m_counts.back_side_hits += hit->back_side ? 1 : 0;

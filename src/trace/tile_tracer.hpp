@@ -8,11 +8,11 @@
 
 #include <glm/vec3.hpp>
 
-#include "bvh/accelerator.hpp"
 #include "trace/lamp_tracer.hpp"
 #include "trace/lane_parts.hpp"
 #include "trace/sky_sum.hpp"
 #include "trace/tile_rays.hpp"
+#include "trace/visibility.hpp"
 
 namespace vkbake {
 
@@ -20,6 +20,7 @@ namespace vkbake {
 struct RayCounts {
     std::uint64_t rays = 0;
     std::uint64_t occluded_rays = 0;
+    std::uint64_t filtered_rays = 0;
     std::uint64_t skipped_directions = 0;
     std::uint64_t probed_hits = 0;
     std::uint64_t back_side_hits = 0;
@@ -30,6 +31,7 @@ struct RayCounts {
     RayCounts& operator+=(const RayCounts& other) {
         rays += other.rays;
         occluded_rays += other.occluded_rays;
+        filtered_rays += other.filtered_rays;
         skipped_directions += other.skipped_directions;
         probed_hits += other.probed_hits;
         back_side_hits += other.back_side_hits;
@@ -47,7 +49,7 @@ class TileTracer {
 public:
     /// All must outlive it. `lamps` may be null: there are none, and nothing asks for them.
     TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
-               const TriangleAccelerator& accelerator, const LampSet* lamps);
+               const Visibility& visibility, const LampSet* lamps);
 
     /// From now on another plan: TileRays::set_plan.
     void set_plan(const RayPlan& plan) {
@@ -89,22 +91,27 @@ private:
     void sum_up(const TexelTile& tile);
     /// Of the last tile.
     [[nodiscard]] glm::dvec3 light(std::size_t lane) const {
-        const glm::dvec3 from_sky = total(*m_sky, m_sums, lane);
+        const glm::dvec3 from_sky = total(*m_sky, m_sums, lane) + m_dimmed[lane];
         return m_lamps ? from_sky + m_lamps->sum(lane) : from_sky;
     }
+    /// Adds the rays of a block that come dimmed, and takes them out of `open`.
+    void add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open);
     /// Adds a block's rays to the parts that their samples belong to.
     void add_parts(const BlockedRays& open, const BlockedRays& blocked);
+    /// Adds a sample that light came along.
+    void add_to_part(std::size_t stratum, std::size_t lane, double luminance);
     /// Chooses each texel's probe.
     void choose_probes();
     /// Follows the probes that lie in a block.
     void probe(std::size_t number, const RayBlock& block, const BlockedRays& blocked);
 
-    const RayPlan* m_plan;                    ///< never null
-    const SkyLookup* m_sky;                   ///< never null
-    const TriangleAccelerator* m_accelerator; ///< never null
+    const RayPlan* m_plan;          ///< never null
+    const SkyLookup* m_sky;         ///< never null
+    const Visibility* m_visibility; ///< never null
     TileRays m_rays;
-    BlockScratch m_scratch;
+    VisibilityScratch m_scratch;
     LaneSums m_sums;
+    std::array<glm::dvec3, RayBlock::lanes> m_dimmed{}; ///< sums of what comes through surfaces
     bool m_with_parts = false;
     LaneParts m_parts;
     SampleIndices m_indices;

@@ -21,6 +21,7 @@
 #include "trace/tile_loop.hpp"
 #include "trace/tile_rays.hpp"
 #include "trace/tile_tracer.hpp"
+#include "trace/visibility.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -32,10 +33,8 @@ const Settings& checked(const Settings& settings) {
     return settings;
 }
 
-TriangleAccelerator make_accelerator(const Surface& surface, const Settings& settings) {
-    return {surface.positions,
-            surface.canonical_order,
-            {settings.accelerator, settings.triangle_test, settings.cluster_splits, settings.threads}};
+AcceleratorSettings accelerator_settings(const Settings& settings) {
+    return {settings.accelerator, settings.triangle_test, settings.cluster_splits, settings.threads};
 }
 
 bool bakes_lamps(const Settings& settings) { return settings.mode != Mode::ao && settings.lamps == Switch::on; }
@@ -101,18 +100,19 @@ Image empty_image(const GeometryImage& geometry) {
 } // namespace
 
 struct Tracer::State {
-    State(const Surface& traced, const Sky& sky, const Settings& asked, std::span<const Lamp> given)
+    State(const Surface& traced, const Sky& sky, const Settings& asked, std::span<const Lamp> given,
+          const SurfaceOpacity* opacity)
         : surface(&traced), threads(checked(asked).threads), radiance(make_radiance(sky, asked)),
           intensity(intensity_of(sky, asked)),
           lamps(bakes_lamps(asked) ? make_lamp_set(given, traced.frame, intensity) : LampSet()),
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
-          accelerator(make_accelerator(traced, asked)) {}
+          visibility(traced, accelerator_settings(asked), opacity) {}
 
     [[nodiscard]] Workers make_workers(const GeometryImage& geometry) const {
         Workers workers(worker_count(threads));
         for (auto& worker : workers) {
-            worker = std::make_unique<TileTracer>(*surface, geometry, plan, radiance, accelerator,
+            worker = std::make_unique<TileTracer>(*surface, geometry, plan, radiance, visibility,
                                                   lamps.empty() ? nullptr : &lamps);
         }
         return workers;
@@ -167,12 +167,13 @@ struct Tracer::State {
     double intensity; ///< > 0
     LampSet lamps;
     RayPlan plan;
-    TriangleAccelerator accelerator;
+    Visibility visibility;
 };
 
-Tracer::Tracer(const Surface& surface, const Sky& sky, const Settings& settings, std::span<const Lamp> lamps) {
+Tracer::Tracer(const Surface& surface, const Sky& sky, const Settings& settings, std::span<const Lamp> lamps,
+               const SurfaceOpacity* opacity) {
     const DefaultFloatState float_state;
-    m_state = std::make_unique<State>(surface, sky, settings, lamps);
+    m_state = std::make_unique<State>(surface, sky, settings, lamps, opacity);
 }
 
 Tracer::~Tracer() = default;
@@ -202,6 +203,7 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     const RayCounts counts = sum_of(workers);
     map.statistics.rays = counts.rays;
     map.statistics.occluded_rays = counts.occluded_rays;
+    map.statistics.filtered_rays = counts.filtered_rays;
     map.statistics.skipped_directions = counts.skipped_directions;
     map.statistics.probed_hits = counts.probed_hits;
     map.statistics.back_side_hits = counts.back_side_hits;
@@ -222,7 +224,7 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
     const RayPlan plan(settings, m_state->plan.max_distance());
     std::vector<std::unique_ptr<GatherTracer>> workers(worker_count(m_state->threads));
     for (auto& worker : workers) {
-        worker = std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->accelerator);
+        worker = std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->visibility);
     }
     LightMap map{.image = empty_image(geometry)};
     const TileLoop loop{.count = tiles.size(),

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "trace/surface_light.hpp"
+#include "trace/surface_opacity.hpp"
 #include "vkbake/geometry_image.hpp"
 #include "vkbake/lamp.hpp"
 #include "vkbake/lightmap.hpp"
@@ -21,13 +22,15 @@ namespace vkbake {
 /// not known). Returns false to stop.
 using TraceProgress = std::function<bool(double share, std::uint64_t rays, double error)>;
 
-/// Holds what all maps of a bake share: the accelerator over the surface and the sky made ready for look-ups.
+/// Holds what all maps of a bake share: the accelerators over the surface and the sky made ready for look-ups.
 /// The surface must outlive it.
 class Tracer {
 public:
-    /// `lamps`: asked for unless settings.lamps is off or the mode is ao; they are copied. Throws Error{usage} for
-    /// settings that contradict each other, Error{bad_input} for a sky or a lamp that cannot be.
-    Tracer(const Surface& surface, const Sky& sky, const Settings& settings, std::span<const Lamp> lamps = {});
+    /// `lamps`: asked for unless settings.lamps is off or the mode is ao; they are copied. `opacity`: of the same
+    /// surface, and must outlive it; null where every triangle is taken for opaque. Throws Error{usage} for settings
+    /// that contradict each other, Error{bad_input} for a sky or a lamp that cannot be.
+    Tracer(const Surface& surface, const Sky& sky, const Settings& settings, std::span<const Lamp> lamps = {},
+           const SurfaceOpacity* opacity = nullptr);
     ~Tracer();
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;

@@ -9,32 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "base/barycentric.hpp"
-#include "bounces.hpp"
 #include "configuration_factors.hpp"
 #include "host_bake.hpp"
+#include "lit_on_host.hpp"
 #include "same_bits.hpp"
-#include "stage_clock.hpp"
 
 namespace vkbake {
 namespace {
-
-/// The light maps before dilation, of a black sky.
-Bake bounced(const Scene& scene, const Settings& settings, const glm::vec3& sky = glm::vec3(0.0F)) {
-    Bake bake{.settings = settings};
-    bake.surface = make_surface(scene);
-    bake.atlas = make_atlas(scene, bake.surface, settings);
-    const Tracer tracer(bake.surface, test::constant_sky(sky), settings);
-    std::vector<GeometryImage> geometry;
-    for (std::uint32_t page = 0; page < bake.atlas.pages.size(); ++page) {
-        geometry.push_back(reference_geometry_image(bake.surface, bake.atlas, page));
-        bake.light_maps.push_back(tracer.trace(geometry.back()));
-    }
-    const Progress silent;
-    StageClock clock(silent);
-    add_bounces(
-        scene, tracer, [&](std::size_t page) -> const GeometryImage& { return geometry[page]; }, clock, bake);
-    return bake;
-}
 
 Settings few_rays(std::uint32_t bounces) {
     Settings settings;
@@ -60,7 +41,7 @@ TEST(Bounces, AFurnaceHasItsPartialSums) {
     material.emissive = {1.0F, 0.25F, 3.0F};
     test::paint(room, 0, material);
     for (const std::uint32_t bounces : {1U, 2U, 5U}) {
-        const Bake bake = bounced(room, few_rays(bounces));
+        const Bake bake = test::bounced(room, few_rays(bounces));
         glm::dvec3 expected(0.0);
         for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
             expected += glm::dvec3(material.emissive) *
@@ -127,19 +108,21 @@ TEST(Bounces, ALampLightsTheFloorByItsConfigurationFactor) {
     const double expected = 7.0 * 4.0 * test::element_to_parallel_rectangle(1.0, 1.0, 1.0);
     // The floor around its middle, 0.1 m: there the factor falls by less than a per cent. Of 1024 stratified rays a
     // texel's error is below a per cent, and the mean is over many.
-    EXPECT_NEAR(light_near_origin(bounced(lamp_over_floor(true, false), settings), 0.1), expected, 0.01 * expected);
-    EXPECT_NEAR(light_near_origin(bounced(lamp_over_floor(false, true), settings), 0.1), expected, 0.01 * expected);
-    EXPECT_EQ(light_near_origin(bounced(lamp_over_floor(false, false), settings), 0.1), 0.0); // its back is black
+    EXPECT_NEAR(light_near_origin(test::bounced(lamp_over_floor(true, false), settings), 0.1), expected,
+                0.01 * expected);
+    EXPECT_NEAR(light_near_origin(test::bounced(lamp_over_floor(false, true), settings), 0.1), expected,
+                0.01 * expected);
+    EXPECT_EQ(light_near_origin(test::bounced(lamp_over_floor(false, false), settings), 0.1), 0.0); // its back is black
 }
 
 TEST(Bounces, OnThreadsTheBitsAreTheSame) {
     Scene scene = test::furnished_scene();
     Settings settings = few_rays(2);
     settings.threads = 1;
-    const Bake one = bounced(scene, settings, glm::vec3(1.0F, 0.5F, 0.25F));
+    const Bake one = test::bounced(scene, settings, glm::vec3(1.0F, 0.5F, 0.25F));
     settings.threads = 0;
     settings.accelerator = Accelerator::brute;
-    const Bake all = bounced(scene, settings, glm::vec3(1.0F, 0.5F, 0.25F));
+    const Bake all = test::bounced(scene, settings, glm::vec3(1.0F, 0.5F, 0.25F));
     ASSERT_EQ(one.light_maps.size(), all.light_maps.size());
     for (std::size_t page = 0; page < one.light_maps.size(); ++page) {
         EXPECT_TRUE(test::same_bits(one.light_maps[page].image.texels, all.light_maps[page].image.texels));
@@ -154,7 +137,7 @@ TEST(Bounces, NothingIsTracedWhereNothingReflects) {
     for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         scene.meshes[mesh].primitives[0].material = static_cast<std::uint32_t>(mesh % 2);
     }
-    const Bake bake = bounced(scene, few_rays(3), glm::vec3(1.0F));
+    const Bake bake = test::bounced(scene, few_rays(3), glm::vec3(1.0F));
     for (const LightMap& map : bake.light_maps) {
         EXPECT_EQ(map.statistics.bounce_rays, 0U);
     }

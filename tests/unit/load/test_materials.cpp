@@ -41,7 +41,9 @@ TEST(Materials, EveryFieldIsRead) {
         "alphaMode": "MASK", "alphaCutoff": 0.75, "doubleSided": true,
         "emissiveFactor": [1, 0.5, 0.25], "emissiveTexture": {"index": 1},
         "occlusionTexture": {"index": 1, "texCoord": 1},
-        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8}}})");
+        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8},
+            "KHR_materials_transmission": {"transmissionFactor": 0.25, "transmissionTexture": {"index": 0, "texCoord": 3}}}})");
+    builder.json["samplers"][0]["magFilter"] = 9728;
     const Scene scene = builder.load();
     const Material& material = scene.materials[0];
     EXPECT_EQ(material.base_color, glm::vec4(0.1F, 0.2F, 0.3F, 0.4F));
@@ -53,6 +55,11 @@ TEST(Materials, EveryFieldIsRead) {
     const TextureUse& base = *material.base_color_texture;
     EXPECT_EQ(base.image, 0U);
     EXPECT_EQ(base.tex_coord, 2U); // the transform's own overrides
+    EXPECT_EQ(material.transmission, 0.25F);
+    ASSERT_TRUE(material.transmission_texture);
+    EXPECT_EQ(material.transmission_texture->tex_coord, 3U);
+    EXPECT_EQ(base.filter, Filter::nearest);
+    EXPECT_EQ(material.emissive_texture->filter, Filter::linear); // of no sampler
     EXPECT_EQ(base.wrap_u, Wrap::clamp);
     EXPECT_EQ(base.wrap_v, Wrap::mirror);
     EXPECT_EQ(base.offset, glm::vec2(0.5F, 0.25F));

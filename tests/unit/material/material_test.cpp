@@ -67,12 +67,12 @@ TEST(ColorTexture, WrapsAsItsUseSays) {
 }
 
 /// The colours of a floor of one material at the middle texel.
-SurfaceColors colors_of(const Scene& scene, const std::vector<ColorTexture>& textures) {
+SurfaceColors colors_of(const Scene& scene, const std::vector<ColorTexture>& textures, Alpha alpha = Alpha::traced) {
     Settings settings;
     settings.size = 9;
     const Surface surface = make_surface(scene);
     const Atlas atlas = make_atlas(scene, surface, settings);
-    return make_surface_colors(scene, surface, reference_geometry_image(surface, atlas, 0), textures);
+    return make_surface_colors(scene, surface, reference_geometry_image(surface, atlas, 0), textures, alpha);
 }
 
 TEST(SurfaceColors, AlbedoIsTheProductThatGltfHas) {
@@ -103,13 +103,27 @@ TEST(SurfaceColors, EmissionAboveOneStays) {
     EXPECT_EQ(colors.albedo.at(4 * 9 + 4), glm::vec3(1.0F));
 }
 
+TEST(SurfaceColors, WhatGetsThroughDoesNotReflect) {
+    Scene scene = test::painted_floor({.base_color = {0.5F, 1.0F, 0.25F, 1.0F},
+                                       .transmission = 0.5F,
+                                       .transmission_texture = TextureUse{.image = 0}});
+    scene.images.resize(1);
+    const Bytes fifth{51, 255, 255, 255}; // the red channel: 0.2
+    const std::vector<ColorTexture> textures{make_color_texture(1, 1, fifth, Encoding::linear)};
+    EXPECT_EQ(color_uses(scene, Alpha::traced), std::vector{ColorUse::linear});
+    EXPECT_EQ(color_uses(scene, Alpha::opaque), std::vector{ColorUse::none});
+    EXPECT_NEAR(colors_of(scene, textures).albedo.at(4 * 9 + 4).g, 0.9, 1e-6);
+    EXPECT_EQ(colors_of(scene, textures, Alpha::opaque).albedo.at(4 * 9 + 4).g, 1.0F);
+}
+
 TEST(SurfaceColors, OnlyWhatIsNeededIsRead) {
     Scene scene =
         test::painted_floor({.base_color = glm::vec4(0, 0, 0, 1), .base_color_texture = TextureUse{.image = 0}});
     scene.images.resize(3);
     scene.materials.push_back({.metallic_texture = TextureUse{.image = 1}, .emissive_texture = TextureUse{.image = 2}});
     // Black reflects nothing; an emissive texture whose factor is 0 emits nothing.
-    EXPECT_EQ(color_uses(scene), (std::vector<ColorUse>{ColorUse::none, ColorUse::linear, ColorUse::none}));
+    EXPECT_EQ(color_uses(scene, Alpha::traced),
+              (std::vector<ColorUse>{ColorUse::none, ColorUse::linear, ColorUse::none}));
     EXPECT_FALSE(reflects(scene)); // the second material is on nothing
     EXPECT_FALSE(emits(scene));
 }

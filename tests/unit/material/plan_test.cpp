@@ -69,10 +69,20 @@ TEST(Plan, TexturesAreReadForBouncesOnly) {
     EXPECT_TRUE(entry(scene, settings, "albedo textures").modelled);
 }
 
-TEST(Plan, SaysThatAlphaIsNotModelled) {
-    EXPECT_TRUE(says(entry(test::painted_floor({}), {}, "alpha"), "opaque"));
-    EXPECT_TRUE(
-        says(entry(test::painted_floor({.alpha_mode = AlphaMode::mask}), {}, "alpha"), "1 of 1 materials are MASK"));
+TEST(Plan, SaysWhichTrianglesLetLightThrough) {
+    Scene scene = test::painted_floor({.base_color = glm::vec4(1, 1, 1, 0.25F), .alpha_mode = AlphaMode::mask});
+    test::add_object(scene, "box", test::box_of({-1, 0, -1}, {1, 1, 1}));
+    test::paint(scene, 1, {.alpha_mode = AlphaMode::blend}); // of alpha 1
+    EXPECT_TRUE(entry(scene, {}, "alpha").modelled);
+    EXPECT_TRUE(says(entry(scene, {}, "alpha"), "1 of 2 materials, 14.3 % of the triangles")); // 2 of 14
+    EXPECT_FALSE(entry(scene, {.alpha = Alpha::opaque}, "alpha").modelled);
+    EXPECT_TRUE(says(entry(scene, {.alpha = Alpha::opaque}, "alpha"), "--alpha opaque"));
+    scene.materials[0].base_color.a = 0.5F; // its cutoff
+    EXPECT_FALSE(entry(scene, {}, "alpha").modelled);
+    scene.materials[1].transmission = 0.5F;
+    EXPECT_TRUE(entry(scene, {}, "alpha").modelled);
+    scene.materials[1].metallic = 1.0F;
+    EXPECT_FALSE(entry(scene, {}, "alpha").modelled);
 }
 
 } // namespace
