@@ -355,6 +355,30 @@ std::vector<glm::dvec3> lamp_light(const std::optional<Material>& sheet, const M
     return floor_light(test::bounced(scene, settings).light_maps.at(0).image);
 }
 
+TEST(Opacity, PunctualLampsAreDimmedAsTheSkyIs) {
+    const auto floor_under = [](const Material& material, const Lamp& lamp) {
+        Scene scene = floor_in_boxes({material});
+        scene.lamps.push_back(lamp);
+        Settings settings = settings_of();
+        settings.estimate_error = lamp.is_soft();
+        return floor_light(scene, settings, glm::vec3(0.0F));
+    };
+    const Material glass{.base_color = {1.0F, 0.5F, 0.25F, 1.0F}, .transmission = 0.5F};
+    const glm::dvec3 aslant = glm::normalize(glm::dvec3(0.3, -1.0, 0.2));
+    for (const Lamp& lamp : {Lamp{.kind = LampKind::directional, .intensity = 3.0, .direction = aslant},
+                             Lamp{.kind = LampKind::directional, .direction = aslant, .angular_diameter = 10.0},
+                             Lamp{.intensity = 5.0, .position = {0.3, 3.0, 0.1}},
+                             Lamp{.intensity = 5.0, .position = {0.3, 3.0, 0.1}, .radius = 0.5}}) {
+        const std::vector<glm::dvec3> bare = floor_under(mask(0.25F, 0.5F), lamp);
+        EXPECT_GT(mean(bare).x, 0.1);
+        const std::vector<glm::dvec3> dimmed = floor_under(glass, lamp);
+        ASSERT_EQ(dimmed.size(), bare.size());
+        for (std::size_t texel = 0; texel < bare.size(); ++texel) {
+            ASSERT_LT(glm::length(dimmed[texel] - glm::dvec3(0.5, 0.25, 0.125) * bare[texel]), 1e-6);
+        }
+    }
+}
+
 TEST(Opacity, LampsShineThroughWhatLiesBeforeThem) {
     const Material lamp{.base_color = glm::vec4(0, 0, 0, 1), .emissive = {4.0F, 2.0F, 1.0F}};
     const std::vector<glm::dvec3> bare = lamp_light(std::nullopt, lamp);
