@@ -131,22 +131,6 @@ TEST_F(Cli, QuietSaysNothingAndJsonOnlyJson) {
     EXPECT_EQ(json.out.substr(json.out.size() - 2), "}\n");
 }
 
-TEST_F(Cli, AnInterruptedBakeLeavesNothingAndLosesNothing) {
-    ASSERT_EQ(quick_bake("out").status, 0);
-    const std::string before = contents(m_folder / "out/lightmaps/lightmap.exr");
-    const Outcome outcome =
-        run_vkbake({"bake", scene("test/corner.glb"), "-o", in_folder("out"), "--size", "1024", "--rays", "1000000"},
-                   {.directory = m_folder.string(), .interrupt_at = "trace "});
-    EXPECT_EQ(outcome.status, 130) << outcome.error;
-    EXPECT_TRUE(outcome.error.ends_with("interrupted; nothing was written\n")) << outcome.error;
-    EXPECT_EQ(before, contents(m_folder / "out/lightmaps/lightmap.exr"));
-    std::size_t files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(m_folder / "out")) {
-        files += entry.is_regular_file() ? 1 : 0;
-    }
-    EXPECT_EQ(files, 3U);
-}
-
 TEST_F(Cli, ListsDevices) {
     const Outcome outcome = run_vkbake({"devices"});
     EXPECT_EQ(outcome.status, 0) << outcome.error;

@@ -89,7 +89,24 @@ TEST_F(Faults, ADeviceWithoutAFeature) { expect_refused(bake_with("feature"), 4,
 
 /// Whatever the program waits for, Ctrl-C ends it.
 TEST_F(Faults, ADeviceThatHangsIsLeftByCtrlC) {
-    expect_refused(bake_with("hang 1", {.interrupt_at = "hanging\n"}), 130, "interrupted; nothing was written");
+    expect_refused(bake_with("hang 1", {.interrupt_when = says("hanging\n")}), 130, "interrupted; nothing was written");
+}
+
+TEST_F(Faults, FilesThatAreBeingWrittenAreTakenBackAtCtrlC) {
+    const auto a_file_more = [this](const std::string& /*said*/) { return files().size() > m_before.size(); };
+    expect_refused(bake("1024", {.interrupt_when = a_file_more}), 130, "interrupted; nothing was written");
+}
+
+/// Whatever it is at: loading, the atlas, tracing.
+TEST_F(Faults, ABakeIsEndedByCtrlCAtAnyMoment) {
+    for (int moment = 1; moment <= 256; moment *= 2) {
+        const auto after = [moment, asked = 0](const std::string& /*said*/) mutable { return asked++ >= moment; };
+        const Outcome outcome =
+            run_vkbake({"bake", scene("storage-room.glb"), "-o", in_folder("out"), "--rays", "1000000"},
+                       {.directory = m_folder.string(), .interrupt_when = after});
+        EXPECT_EQ(outcome.status, 130) << outcome.error;
+        EXPECT_EQ(files(), m_before);
+    }
 }
 
 TEST_F(Faults, AFullDisk) { expect_refused(bake("64", {.largest_file = 1000}), 5, "cannot be written"); }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,23 +50,34 @@ void limit(int resource, std::uint64_t bytes) {
     _exit(127);
 }
 
-/// All that the child says on standard error, until it ends. It is interrupted when it says a certain thing and not
-/// after a time: how long it takes to get there is the machine's affair.
-std::string listen(int pipe_end, pid_t child, const std::string& interrupt_at) {
+/// All that the child says on standard error, until it ends. When it is interrupted is told by what it says or does and
+/// not by a time: how long it takes to get there is the machine's affair.
+std::string listen(int pipe_end, pid_t child, std::function<bool(const std::string&)> interrupt_when) {
     std::string said;
     std::array<char, 4096> part{};
-    bool interrupted = interrupt_at.empty();
-    for (ssize_t count = 0; (count = read(pipe_end, part.data(), part.size())) > 0;) {
-        said.append(part.data(), static_cast<std::size_t>(count));
-        if (!interrupted && said.find(interrupt_at) != std::string::npos) {
+    while (true) {
+        if (interrupt_when && interrupt_when(said)) {
             kill(child, SIGINT);
-            interrupted = true;
+            interrupt_when = nullptr;
         }
+        pollfd waiting{.fd = pipe_end, .events = POLLIN, .revents = 0};
+        constexpr int milliseconds = 2;
+        if (poll(&waiting, 1, interrupt_when ? milliseconds : -1) <= 0) {
+            continue;
+        }
+        const ssize_t count = read(pipe_end, part.data(), part.size());
+        if (count <= 0) {
+            return said;
+        }
+        said.append(part.data(), static_cast<std::size_t>(count));
     }
-    return said;
 }
 
 } // namespace
+
+std::function<bool(const std::string&)> says(std::string text) {
+    return [text = std::move(text)](const std::string& said) { return said.find(text) != std::string::npos; };
+}
 
 std::string contents(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -91,7 +103,7 @@ Outcome run_vkbake(const std::vector<std::string>& arguments, const RunOptions& 
     }
     close(error_pipe[1]);
     Outcome outcome;
-    outcome.error = listen(error_pipe[0], child, options.interrupt_at);
+    outcome.error = listen(error_pipe[0], child, options.interrupt_when);
     close(error_pipe[0]);
     int status = 0;
     rusage usage{};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,10 +20,14 @@ struct Outcome {
 struct RunOptions {
     std::string directory = ".";
     std::vector<std::pair<std::string, std::string>> environment; ///< added to this process's
-    std::string interrupt_at;        ///< send SIGINT once standard error holds this; empty: never
+    /// Send SIGINT once it is true of what standard error holds so far; asked every few milliseconds. Empty: never.
+    std::function<bool(const std::string& said)> interrupt_when;
     std::uint64_t largest_file = 0;  ///< bytes that it may write to one file, as on a full disk; 0: any
     std::uint64_t address_space = 0; ///< bytes that it may map; 0: any
 };
+
+/// For RunOptions::interrupt_when.
+[[nodiscard]] std::function<bool(const std::string&)> says(std::string text);
 
 /// The bytes of a file; none if it cannot be read.
 [[nodiscard]] std::string contents(const std::filesystem::path& file);

@@ -46,7 +46,7 @@ TEST(Visibility, NothingConvexDarkensItselfAtAnyScaleOrPlace) {
                                                                 {"sphere", sphere_of(0.5F)},
                                                                 {"box", box_of(glm::vec3(-0.5F), glm::vec3(0.5F))},
                                                                 {"dome", dome_of(16)}};
-    const Settings settings = small_settings(amount(48, 24), 64);
+    const Settings settings = small_settings(amount(48, 24), amount(64, 16));
     for (const auto& [name, shape] : shapes) {
         for (const double size : {1e-6, 0.37, 1.0, 1e6}) {
             for (const double offset : {0.0, 1.0 / 3.0, 1e4, 1e7}) {

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "amount.hpp"
 #include "highway_targets.hpp"
 #include "unit/bvh/ray_scenes.hpp"
 
@@ -135,7 +136,7 @@ test::Triangles box(const glm::vec3& low, const glm::vec3& high) {
 std::vector<RayBlock> blocks_of_all_kinds(const test::Triangles& triangles, std::uint64_t seed) {
     test::Random random(seed);
     std::vector<RayBlock> blocks;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < test::amount(6, 1); ++i) {
         blocks.push_back(coherent_block(random));
         blocks.push_back(incoherent_block(random));
         blocks.push_back(aimed_block(triangles, random));
