@@ -22,8 +22,10 @@ struct Names<Layout> {
 
 template<>
 struct Names<UvSource> {
-    static constexpr std::array<std::pair<std::string_view, UvSource>, 3> values{
-        {{"auto", UvSource::automatic}, {"keep", UvSource::keep}, {"make", UvSource::make}}};
+    static constexpr std::array<std::pair<std::string_view, UvSource>, 4> values{{{"auto", UvSource::automatic},
+                                                                                  {"keep", UvSource::keep},
+                                                                                  {"trust", UvSource::trust},
+                                                                                  {"make", UvSource::make}}};
 };
 
 template<>

@@ -10,8 +10,9 @@ enum class Layout : std::uint8_t { atlas, object }; ///< one map for the scene (
 enum class UvSource : std::uint8_t {
     automatic,
     keep,
+    trust,
     make
-}; ///< automatic: keep TEXCOORD_1 where it will do, make it elsewhere
+}; ///< automatic: keep TEXCOORD_1 where it will do, make it elsewhere; trust: keep it even where it overlaps itself
 enum class ChartMaker : std::uint8_t {
     grown,
     polypack

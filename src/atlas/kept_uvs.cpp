@@ -22,10 +22,9 @@ std::string triangle_name(const Surface& surface, std::uint32_t triangle) {
            std::to_string(part.primitive);
 }
 
-} // namespace
-
-std::optional<std::string> read_light_map_uvs(const Scene& scene, const Surface& surface,
-                                              std::span<const std::uint32_t> triangles, std::span<glm::vec2> flat) {
+/// Until the first fault.
+std::optional<std::string> read_values(const Scene& scene, const Surface& surface,
+                                       std::span<const std::uint32_t> triangles, std::span<glm::vec2> flat) {
     bool has_surface = false;
     bool has_uv_area = false;
     for (const std::uint32_t triangle : triangles) {
@@ -57,11 +56,19 @@ std::optional<std::string> read_light_map_uvs(const Scene& scene, const Surface&
     if (has_surface && !has_uv_area) {
         return "has no area";
     }
-    if (const auto pair = first_overlap(flat, triangles)) {
-        return "overlaps itself: " + triangle_name(surface, pair->first) + " and " +
-               triangle_name(surface, pair->second);
-    }
     return std::nullopt;
+}
+
+} // namespace
+
+UvFaults read_light_map_uvs(const Scene& scene, const Surface& surface, std::span<const std::uint32_t> triangles,
+                            std::span<glm::vec2> flat) {
+    UvFaults faults{.unusable = read_values(scene, surface, triangles, flat), .overlap = {}};
+    if (const auto pair = faults.unusable ? std::nullopt : first_overlap(flat, triangles)) {
+        faults.overlap =
+            "overlaps itself: " + triangle_name(surface, pair->first) + " and " + triangle_name(surface, pair->second);
+    }
+    return faults;
 }
 
 std::optional<std::pair<std::uint32_t, std::uint32_t>> first_overlap(std::span<const glm::vec2> flat,

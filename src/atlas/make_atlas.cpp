@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "atlas/chart.hpp"
@@ -130,13 +131,16 @@ private:
         Object& object = m_objects[index];
         const std::string& name = m_surface.objects[index].name;
         if (m_settings.uv != UvSource::make) {
-            const std::optional<std::string>& fault = fault_of_uvs(index);
+            const UvFaults& faults = faults_of_uvs(index);
+            const std::optional<std::string>& fault = m_settings.uv == UvSource::trust ? faults.unusable : faults.any();
             object.kept = !fault;
-            if (fault && m_settings.uv == UvSource::keep) {
-                throw Error(ErrorKind::bad_input, mesh_and_object(index) + ": TEXCOORD_1 " + *fault +
-                                                      "; correct it, or let UVs be made (--uv auto or make)");
+            if (fault && m_settings.uv != UvSource::automatic) {
+                const std::string trust = faults.unusable ? "" : ", trust it (--uv trust)";
+                throw Error(ErrorKind::bad_input, mesh_and_object(index) + ": TEXCOORD_1 " + *fault + "; correct it" +
+                                                      trust + ", or let UVs be made (--uv auto or make)");
             }
-            m_notes.add(fault ? "light-map UVs made, as TEXCOORD_1 " + *fault : "TEXCOORD_1 kept", name);
+            const std::string but = faults.overlap ? ", though it " + *faults.overlap : "";
+            m_notes.add(fault ? "light-map UVs made, as TEXCOORD_1 " + *fault : "TEXCOORD_1 kept" + but, name);
         }
         if (!object.kept) {
             object.charts =
@@ -164,7 +168,7 @@ private:
     }
 
     /// Reads the object's UVs into m_flat. Instances of one mesh share the answer.
-    const std::optional<std::string>& fault_of_uvs(std::uint32_t index) {
+    const UvFaults& faults_of_uvs(std::uint32_t index) {
         const SurfaceObject& object = m_surface.objects[index];
         std::vector<std::uint32_t> triangles = m_objects[index].triangles;
         std::sort(triangles.begin(), triangles.end());
@@ -173,7 +177,7 @@ private:
         if (known == m_faults.end()) {
             return m_faults.emplace(mesh, read_light_map_uvs(m_scene, m_surface, triangles, m_flat)).first->second;
         }
-        if (!known->second) {
+        if (!known->second.unusable) {
             for (const std::uint32_t triangle : triangles) {
                 const std::uint32_t primitive = m_surface.parts[m_surface.parts_of[triangle]].primitive;
                 const auto& uvs = m_scene.meshes[mesh].primitives[primitive].tex_coords[1];
@@ -236,6 +240,13 @@ private:
         return static_cast<int>(std::clamp(std::ceil(texels), 1.0, double{greatest_side}));
     }
 
+    [[nodiscard]] bool any_mesh_twice() const {
+        std::set<std::uint32_t> meshes;
+        return std::ranges::any_of(m_surface.objects, [&](const SurfaceObject& object) {
+            return !meshes.insert(m_scene.instances[object.instance].mesh).second;
+        });
+    }
+
     /// Where the scene came as one atlas it stays as it is.
     bool keep_one_atlas() {
         for (const Object& object : m_objects) {
@@ -243,7 +254,8 @@ private:
                 return false;
             }
         }
-        if (first_overlap(m_flat, m_surface.canonical_order)) {
+        if (m_settings.uv == UvSource::trust ? any_mesh_twice()
+                                             : first_overlap(m_flat, m_surface.canonical_order).has_value()) {
             return false;
         }
         int side = 1;
@@ -344,7 +356,7 @@ private:
     std::vector<glm::vec2> m_flat;     ///< 3 a triangle: see Chart
     std::vector<std::uint32_t> m_rank; ///< by triangle: its place in canonical order
     std::vector<Object> m_objects;
-    std::map<std::uint32_t, std::optional<std::string>> m_faults; ///< by mesh
+    std::map<std::uint32_t, UvFaults> m_faults; ///< by mesh
     ObjectNotes m_notes;
     Atlas m_atlas;
 };

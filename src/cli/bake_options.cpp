@@ -44,7 +44,9 @@ void add_atlas_options(CLI::App& app, Settings& settings) {
            "Texels per metre; without it, the most that fit one page")
         ->check(CLI::PositiveNumber);
     add_choice(app, "--layout", settings.layout, "One map for the scene, or one for each object");
-    add_choice(app, "--uv", settings.uv, "Keep TEXCOORD_1 where it will do and make it elsewhere, keep it, or make it");
+    add_choice(app, "--uv", settings.uv,
+               "Keep TEXCOORD_1 where it will do and make it elsewhere; keep it; keep it even where it overlaps "
+               "itself; make it");
     add_choice(app, "--charts", settings.charts, "How charts are made: few and of little stretch, or by facing");
     app.add_option("--stretch", settings.stretch, "L2 stretch that grown charts may have; 1 is none")
         ->check(CLI::Range(1.0001, 2.0))

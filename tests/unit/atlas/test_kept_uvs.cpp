@@ -119,6 +119,41 @@ TEST(KeptUvs, that_overlap_are_refused_and_named) {
     EXPECT_EQ(error_of(touching, settings_with(UvSource::keep)), "");
 }
 
+TEST(KeptUvs, that_overlap_stay_as_they_are_where_trusted_and_a_note_says_so) {
+    const Scene scene = floors({0.4F, 0.2F}, {0.9F, 0.4F});
+    const Surface surface = make_surface(scene);
+    for (const Layout layout : {Layout::atlas, Layout::object}) {
+        const Atlas atlas = make_atlas(scene, surface, settings_with(UvSource::trust, layout));
+        EXPECT_EQ(atlas.uvs, own_uvs(scene, surface));
+        ASSERT_EQ(atlas.notes.size(), 1U);
+        EXPECT_TRUE(contains(atlas.notes[0], "kept, though it overlaps itself: triangle 0")) << atlas.notes[0];
+    }
+    // Trust is in what is there.
+    EXPECT_TRUE(contains(error_of(floors({0.6F, 0.1F}, {1.1F, 0.4F}), settings_with(UvSource::trust)), "leaves [0,1]"));
+}
+
+TEST(KeptUvs, that_are_trusted_are_moved_apart_where_a_mesh_is_there_twice) {
+    Scene scene = floors({0.4F, 0.2F}, {0.9F, 0.4F});
+    scene.instances.push_back(scene.instances[0]);
+    scene.instances[1].translation = {0.0, 5.0, 0.0};
+    const Surface surface = make_surface(scene);
+    const Atlas atlas = make_atlas(scene, surface, settings_with(UvSource::trust));
+    const auto bounds = [&](std::uint32_t object) {
+        glm::vec2 low(2.0F);
+        glm::vec2 high(-1.0F);
+        for (std::size_t corner = 0; corner < atlas.uvs.size(); ++corner) {
+            if (surface.parts[surface.parts_of[corner / 3]].object == object) {
+                low = glm::min(low, atlas.uvs[corner]);
+                high = glm::max(high, atlas.uvs[corner]);
+            }
+        }
+        return std::pair(low, high);
+    };
+    const auto [low, high] = bounds(0);
+    const auto [other_low, other_high] = bounds(1);
+    EXPECT_TRUE(high.x < other_low.x || other_high.x < low.x || high.y < other_low.y || other_high.y < low.y);
+}
+
 TEST(KeptUvs, may_be_mirrored) {
     Scene scene = floors();
     for (glm::vec2& uv : scene.meshes[0].primitives[0].tex_coords[1]) {
