@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/machine_memory.hpp"
+#include "opacity.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -100,6 +101,7 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
     return {.held = bytes_of(scene) + sky_texels * sizeof(glm::vec4),
             .sky_texels = settings.mode == Mode::ao ? 0 : sky_texels,
             .triangles = triangles,
+            .opacity = opacity_bytes(scene, settings),
             .maps = maps.value_or(settings.layout == Layout::object ? objects : 1),
             .size = settings.size,
             .bounces = settings.bounces > 0,
@@ -111,6 +113,7 @@ std::uint64_t peak_memory(const MemoryNeed& need) {
     const std::uint64_t estimates =
         need.estimated ? estimated_map_texel_bytes * need.maps + estimated_work_texel_bytes : 0;
     return program_bytes + need.held + sky_texel_bytes * need.sky_texels + triangle_bytes * need.triangles +
+           need.opacity +
            ((map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0)) * need.maps + work_texel_bytes + estimates) *
                texels_of(side) +
            tile_texel_bytes * texels_of(std::min(side, tile_side));

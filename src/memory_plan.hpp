@@ -15,6 +15,7 @@ struct MemoryNeed {
     std::uint64_t held = 0;       ///< bytes that scene and sky take already
     std::uint64_t sky_texels = 0; ///< of a picture; it is copied for look-ups
     std::uint64_t triangles = 0;  ///< over all instances
+    std::uint64_t opacity = 0;    ///< bytes: opacity_bytes()
     std::uint64_t maps = 1;
     int size = 1;           ///< side of each map, texels
     bool bounces = false;   ///< whether light is followed from surface to surface

@@ -5,6 +5,7 @@
 
 #include "imageio/channels.hpp"
 #include "imageio/samples.hpp"
+#include "vkbake/error.hpp"
 
 namespace vkbake {
 namespace {
@@ -16,6 +17,15 @@ std::string message_name(const EncodedImage& image) {
 }
 
 } // namespace
+
+std::optional<ImageSize> size_of(const EncodedImage& image) {
+    try {
+        const auto [width, height] = read_size(image.bytes, message_name(image), texture_limits);
+        return ImageSize{width, height};
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
 
 Rgba8Image decode_rgba8(const EncodedImage& image) {
     const auto samples = read_samples<std::uint8_t>(image.bytes, message_name(image), texture_limits);

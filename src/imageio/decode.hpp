@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "vkbake/image.hpp"
@@ -16,6 +17,14 @@ struct Rgba8Image {
     int height = 0;
     std::vector<std::uint8_t> texels; ///< 4 · width · height
 };
+
+struct ImageSize {
+    int width = 0;
+    int height = 0;
+};
+
+/// From the image's header; absent where decode_rgba8 would refuse it for what that says.
+[[nodiscard]] std::optional<ImageSize> size_of(const EncodedImage& image);
 
 /// Grey images get three equal channels; 16-bit ones are rounded to 8. Throws Error{bad_input} that names the image
 /// where it is damaged, of another format than PNG or JPEG (EXR and HDR pass too), wider or higher than 16384 or above

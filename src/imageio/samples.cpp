@@ -74,8 +74,7 @@ bool read_rows(OIIO::ImageInput& input, std::vector<Value>& values) {
 }
 
 template<typename Value>
-Samples<Value> read_open_input(OIIO::ImageInput& input, const std::string& where, const SampleLimits& limits) {
-    const OIIO::ImageSpec& spec = input.spec();
+void check_size(const OIIO::ImageSpec& spec, const std::string& where, const SampleLimits& limits) {
     if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels <= 0 || spec.deep) {
         refuse(where, "is not a flat picture with at least one texel and one channel", "give a two-dimensional image");
     }
@@ -88,6 +87,12 @@ Samples<Value> read_open_input(OIIO::ImageInput& input, const std::string& where
                    std::to_string(limits.side) + " a side and " + std::to_string(limits.bytes >> 20U) + " MiB decoded",
                "make it smaller");
     }
+}
+
+template<typename Value>
+Samples<Value> read_open_input(OIIO::ImageInput& input, const std::string& where, const SampleLimits& limits) {
+    const OIIO::ImageSpec& spec = input.spec();
+    check_size<Value>(spec, where, limits);
     Samples<Value> samples;
     samples.width = spec.width;
     samples.height = spec.height;
@@ -141,6 +146,16 @@ std::unique_ptr<OIIO::ImageInput> make_input(OIIO::Filesystem::IOProxy& file, co
     return input;
 }
 
+std::unique_ptr<OIIO::ImageInput> open_memory(OIIO::Filesystem::IOMemReader& memory, const std::string& name,
+                                              const std::string& where) {
+    auto input = make_input(memory, where);
+    OIIO::ImageSpec spec;
+    if (!input->set_ioproxy(&memory) || !input->open(name, spec, open_hints())) {
+        refuse_damaged(where, *input);
+    }
+    return input;
+}
+
 } // namespace
 
 template<typename Value>
@@ -163,12 +178,15 @@ template<typename Value>
 Samples<Value> read_samples(std::span<const std::byte> bytes, const std::string& name, const SampleLimits& limits) {
     const std::string where = "image " + name;
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size()); // read only
-    const auto input = make_input(memory, where);
-    OIIO::ImageSpec spec;
-    if (!input->set_ioproxy(&memory) || !input->open(name, spec, open_hints())) {
-        refuse_damaged(where, *input);
-    }
-    return read_open_input<Value>(*input, where, limits);
+    return read_open_input<Value>(*open_memory(memory, name, where), where, limits);
+}
+
+std::pair<int, int> read_size(std::span<const std::byte> bytes, const std::string& name, const SampleLimits& limits) {
+    const std::string where = "image " + name;
+    OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size()); // read only
+    const auto input = open_memory(memory, name, where);
+    check_size<std::uint8_t>(input->spec(), where, limits);
+    return {input->spec().width, input->spec().height};
 }
 
 template Samples<float> read_samples<float>(const std::filesystem::path&);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vkbake {
@@ -36,5 +37,9 @@ template<typename Value>
 template<typename Value>
 [[nodiscard]] Samples<Value> read_samples(std::span<const std::byte> bytes, const std::string& name,
                                           const SampleLimits& limits);
+
+/// Width and height alone, from the header. Throws Error{bad_input} as read_samples<std::uint8_t>.
+[[nodiscard]] std::pair<int, int> read_size(std::span<const std::byte> bytes, const std::string& name,
+                                            const SampleLimits& limits);
 
 } // namespace vkbake

@@ -117,6 +117,19 @@ TEST(Opacity, BlendAroundTheFloorLetsThroughOneLessAlpha) {
                std::pow(0.75, 8) * glm::dvec3(1.0, 2.0, 4.0));
 }
 
+TEST(Opacity, TheThesisSamplerIsDimmedToo) {
+    Settings settings = settings_of();
+    settings.sampler = Sampler::thesis;
+    settings.accelerator = Accelerator::clusters;
+    const std::vector<glm::dvec3> bare = floor_light(floor_in_boxes({mask(0.25F, 0.5F)}), settings);
+    const std::vector<glm::dvec3> dimmed = floor_light(floor_in_boxes({blend(0.25F)}), settings);
+    for (std::size_t texel = 0; texel < bare.size(); ++texel) {
+        ASSERT_LT(glm::length(dimmed[texel] - 0.75 * bare[texel]), 2e-7);
+    }
+    settings.triangle_test = TriangleTest::moller_trumbore; // promises nothing at edges
+    EXPECT_NEAR(mean(floor_light(floor_in_boxes({blend(0.25F)}), settings)).x, 0.75 * mean(bare).x, 1e-3);
+}
+
 TEST(Opacity, TransmissionIsColouredByTheBaseColour) {
     Material glass{.base_color = {0.25F, 0.5F, 1.0F, 1.0F}, .transmission = 0.5F};
     expect_all(floor_light(floor_in_boxes({glass}), settings_of()), {0.125, 0.25, 0.5});

@@ -91,6 +91,18 @@ std::vector<Forest> groves_that_get_finer() {
     return groves;
 }
 
+/// Trees whose leaves are cards: of the rays that the ground sends up, most meet one.
+Forest cut_outs() {
+    Forest forest{.name = "cut-outs", .cells = {5, 4}};
+    forest.tree.foliage = Paint::leaves;
+    forest.tree.leaves = 240;
+    forest.tree.leaf_length = 0.8;
+    forest.bush.foliage = Paint::leaves;
+    forest.bush.leaves = 40;
+    forest.bush.leaf_length = 0.5;
+    return forest;
+}
+
 File forest(const Forest& kind) {
     constexpr double cell = 6.0;
     const std::uint32_t trees = kind.trees;
@@ -133,6 +145,7 @@ std::vector<File> make_benchmark_files() {
             files.push_back(forest(kind));
         }
     }
+    files.push_back(forest(cut_outs()));
     return files;
 }
 

@@ -15,6 +15,11 @@ namespace vkbake::scenes {
 namespace {
 
 constexpr const char* lights_extension = "KHR_lights_punctual";
+constexpr const char* transmission_extension = "KHR_materials_transmission";
+
+std::string name_of(Texture texture) {
+    return texture == Texture::wood ? "wood" : (texture == Texture::grain ? "grain" : "sprig");
+}
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -103,25 +108,44 @@ std::size_t Document::texture(Texture kind) {
     if (is_new) {
         const std::vector<std::byte> file = encode_png(make_texture(kind));
         const std::size_t view = add_view(file.data(), file.size(), gltf::ViewTarget::none);
-        m_json["images"].push_back(
-            {{"name", kind == Texture::wood ? "wood" : "grain"}, {"bufferView", view}, {"mimeType", "image/png"}});
+        m_json["images"].push_back({{"name", name_of(kind)}, {"bufferView", view}, {"mimeType", "image/png"}});
         m_json["textures"].push_back({{"sampler", 0}, {"source", found->second}});
         m_json["samplers"] = Json::array({{{"magFilter", 9729}, {"minFilter", 9987}}});
     }
     return found->second;
 }
 
+void Document::use_extension(const char* name) {
+    Json& used = m_json["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), name) == used.end()) {
+        used.push_back(name);
+    }
+}
+
 std::size_t Document::material(Paint paint) {
     const auto [found, is_new] = m_materials.try_emplace(paint, m_materials.size());
     if (is_new) {
         const PaintInfo& info = paint_info(paint);
-        Json surface{{"baseColorFactor", {info.colour.x, info.colour.y, info.colour.z, 1.0}},
+        Json surface{{"baseColorFactor", {info.colour.x, info.colour.y, info.colour.z, info.alpha}},
                      {"metallicFactor", 0.0},
                      {"roughnessFactor", 0.9}};
         if (info.texture != Texture::none) {
             surface["baseColorTexture"] = {{"index", texture(info.texture)}};
         }
-        m_json["materials"].push_back({{"name", info.name}, {"pbrMetallicRoughness", std::move(surface)}});
+        Json material{{"name", info.name}, {"pbrMetallicRoughness", std::move(surface)}};
+        if (lets_light_through(info)) {
+            material["doubleSided"] = true;
+        }
+        if (info.texture == Texture::sprig) {
+            material["alphaMode"] = "MASK";
+        } else if (info.alpha < 1.0) {
+            material["alphaMode"] = "BLEND";
+        }
+        if (info.transmission > 0.0) {
+            material["extensions"] = {{transmission_extension, {{"transmissionFactor", info.transmission}}}};
+            use_extension(transmission_extension);
+        }
+        m_json["materials"].push_back(std::move(material));
     }
     return found->second;
 }
@@ -178,7 +202,7 @@ std::size_t Document::add_node(const Node& node) {
 }
 
 std::size_t Document::add_light(const Json& light) {
-    m_json["extensionsUsed"] = Json::array({lights_extension});
+    use_extension(lights_extension);
     Json& lights = m_json["extensions"][lights_extension]["lights"];
     lights.push_back(light);
     return lights.size() - 1;

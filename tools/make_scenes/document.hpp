@@ -67,6 +67,7 @@ private:
     std::size_t add_accessor(const std::vector<T>& values, const char* type, bool with_bounds);
     std::size_t add_indices(const Patch& patch);
     std::size_t material(Paint paint);
+    void use_extension(const char* name);
     std::size_t texture(Texture kind);
 
     Json m_json = Json::object();

@@ -19,6 +19,7 @@ struct File {
 [[nodiscard]] std::vector<File> make_object_files();
 [[nodiscard]] std::vector<File> make_chapter_files();
 [[nodiscard]] std::vector<File> make_light_files();
+[[nodiscard]] File make_pergola_file();
 [[nodiscard]] std::vector<File> make_test_files();
 
 /// Scenes that are large or many, for benchmarks alone: not checked in, and not all closed or free of crossings.

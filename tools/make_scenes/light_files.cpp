@@ -69,6 +69,7 @@ File lamps_file() {
 std::vector<File> make_light_files() {
     std::vector<File> files;
     files.push_back(lamps_file());
+    files.push_back(make_pergola_file());
     return files;
 }
 

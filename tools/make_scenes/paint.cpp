@@ -34,6 +34,11 @@ const PaintInfo& paint_info(Paint paint) {
         {"blue enamel", {0.26, 0.42, 0.62}},
         {"linen", {0.78, 0.70, 0.56}, Texture::grain},
         {"straw", {0.80, 0.66, 0.36}, Texture::grain},
+        {"leaves", {1.0, 1.0, 1.0}, Texture::sprig},
+        {"gauze", {0.86, 0.82, 0.74}, Texture::none, 0.5},
+        {"red glass", {0.86, 0.07, 0.05}, Texture::none, 1.0, 0.9},
+        {"amber glass", {0.95, 0.58, 0.08}, Texture::none, 1.0, 0.9},
+        {"blue glass", {0.06, 0.22, 0.80}, Texture::none, 1.0, 0.9},
     }};
     return table[static_cast<std::size_t>(paint)];
 }

@@ -37,16 +37,28 @@ enum class Paint {
     blue_enamel,
     linen,
     straw,
+    leaves,
+    gauze,
+    red_glass,
+    amber_glass,
+    blue_glass,
     count
 };
 
-enum class Texture { none, wood, grain };
+enum class Texture { none, wood, grain, sprig };
 
 struct PaintInfo {
     std::string_view name;
     glm::dvec3 colour; ///< linear base colour, 0…1; multiplies the texture
     Texture texture = Texture::none;
+    double alpha = 1.0;        ///< < 1: blended
+    double transmission = 0.0; ///< > 0: glass
 };
+
+/// Whether light gets through; such surfaces are thin, and seen from both sides.
+[[nodiscard]] inline bool lets_light_through(const PaintInfo& info) {
+    return info.texture == Texture::sprig || info.alpha < 1.0 || info.transmission > 0.0;
+}
 
 [[nodiscard]] const PaintInfo& paint_info(Paint paint);
 

@@ -81,6 +81,9 @@ std::vector<std::byte> encode_png(const PaletteImage& image) {
     Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     append_chunk(file, "IHDR", header);
     append_chunk(file, "PLTE", palette);
+    if (image.first_is_clear) {
+        append_chunk(file, "tRNS", {0});
+    }
     append_chunk(file, "IDAT", stored_zlib_stream(rows));
     append_chunk(file, "IEND", {});
     std::vector<std::byte> result;

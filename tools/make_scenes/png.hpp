@@ -12,6 +12,7 @@ struct PaletteImage {
     std::uint32_t side = 0;                           ///< texels, even
     std::vector<std::array<std::uint8_t, 3>> palette; ///< sRGB, at most 16
     std::vector<std::uint8_t> texels;                 ///< side², row 0 on top, each below palette.size()
+    bool first_is_clear = false;                      ///< the palette's first colour has alpha 0, the others 1
 };
 
 /// The image at 4 bits a texel, its deflate stream stored and not compressed: a compressor's choices are not ours to

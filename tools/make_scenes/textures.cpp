@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include <glm/vec2.hpp>
+
+#include "make_scenes/turn.hpp"
+
 namespace vkbake::scenes {
 namespace {
 
@@ -47,11 +51,69 @@ double grain(double u, double v) {
     return 0.30 * noise(u, v, 6, 6, 11) + 0.30 * noise(u, v, 24, 24, 12) + 0.40 * noise(u, v, 110, 110, 13);
 }
 
+// Whether a place lies on a leaf that grows from `foot` towards `tip`, and how far from its midrib: 0 … 1.
+struct OnLeaf {
+    bool inside = false;
+    double beside = 0.0;
+};
+
+OnLeaf on_leaf(const glm::dvec2& place, const glm::dvec2& foot, const glm::dvec2& tip) {
+    const glm::dvec2 along = tip - foot;
+    const glm::dvec2 offset = place - foot;
+    const double length_squared = along.x * along.x + along.y * along.y;
+    const double t = (offset.x * along.x + offset.y * along.y) / length_squared;
+    if (t <= 0.0 || t >= 1.0) {
+        return {};
+    }
+    const double across = std::abs(offset.x * along.y - offset.y * along.x) / length_squared;
+    const double half_width = 0.62 * std::sqrt(t) * (1.0 - t) * (1.0 - 0.25 * t); // widest near the foot, pointed
+    return {across < half_width, across / half_width};
+}
+
+// A twig along v with pairs of leaves; 0: nothing there, 1: wood, 2 … 15: leaf, from its midrib outwards.
+std::uint8_t sprig(double u, double v) {
+    const glm::dvec2 place(u, 1.0 - v);
+    std::uint8_t texel = std::abs(place.x - 0.5 - 0.03 * on_circle(place.y).x) < 0.007 && place.y < 0.9 ? 1 : 0;
+    constexpr std::uint32_t leaves = 11;
+    for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
+        const double height = leaf + 1 < leaves ? 0.03 + 0.075 * leaf : 0.72;
+        const double side_of = leaf + 1 == leaves ? 0.0 : (leaf % 2 == 0 ? 1.0 : -1.0);
+        const double reach = 0.36 + 0.08 * random_of(leaf + 5);
+        const glm::dvec2 foot(0.5 + 0.03 * on_circle(height).x, height);
+        const glm::dvec2 tip =
+            foot + reach * glm::dvec2(0.96 * side_of, side_of == 0.0 ? 0.55 : 0.12 + 0.4 * random_of(leaf + 50));
+        const OnLeaf on = on_leaf(place, foot, tip);
+        if (on.inside) {
+            texel = static_cast<std::uint8_t>(2.0 + std::min(13.0, 3.0 * (leaf % 3) + 8.0 * on.beside));
+        }
+    }
+    return texel;
+}
+
+PaletteImage make_sprig() {
+    PaletteImage image{.side = side, .palette = {{96, 118, 60}, {96, 74, 48}}, .texels = {}, .first_is_clear = true};
+    for (int k = 0; k < 14; ++k) {
+        const auto mixed_colour = [&](double from, double to) {
+            return static_cast<std::uint8_t>(std::lround(from + (to - from) * k / 13.0));
+        };
+        image.palette.push_back({mixed_colour(132, 78), mixed_colour(150, 106), mixed_colour(84, 52)});
+    }
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x) {
+            image.texels.push_back(sprig((x + 0.5) / side, (y + 0.5) / side));
+        }
+    }
+    return image;
+}
+
 } // namespace
 
 double random_of(std::uint32_t number) { return mixed(number * 0x9E3779B9U + 0x7F4A7C15U) / 4294967296.0; }
 
 PaletteImage make_texture(Texture texture) {
+    if (texture == Texture::sprig) {
+        return make_sprig();
+    }
     PaletteImage image;
     image.side = side;
     // sRGB bytes from the darkest to the lightest: wood's dark lines are warmer than its light ones.

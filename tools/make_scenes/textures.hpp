@@ -1,4 +1,4 @@
-// The two small procedural textures; both tile, and are near white so that a base colour tints them.
+// Small procedural textures. Wood and grain tile, and are near white so that a base colour tints them.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace vkbake::scenes {
 
-/// `wood` has its fibres along v; `grain` is a fine speckle for plaster, stone and earth. Not for Texture::none.
+/// `wood` has its fibres along v; `grain` is a fine speckle for plaster, stone and earth; `sprig` is a twig with
+/// leaves, from the bottom up, and clear around them. Not for Texture::none.
 [[nodiscard]] PaletteImage make_texture(Texture texture);
 
 /// Metres of surface that one repetition of a texture covers.

@@ -1,5 +1,6 @@
 #include "make_scenes/vegetation.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -68,16 +69,23 @@ void add_bar(Patch& wood, const std::vector<glm::dvec3>& path, double radius, co
     }
 }
 
-/// Two triangles folded along the leaf, in cell `index` of a square grid of at least `count` cells.
+/// Two triangles, folded along the leaf or of a card, in cell `index` of a square grid of at least `count` cells.
 void add_leaf(Patch& leaves, const glm::dvec3& foot, const glm::dvec3& along, const glm::dvec3& across,
               std::size_t index, std::size_t count) {
     const auto first = static_cast<std::uint32_t>(leaves.positions.size());
     const glm::dvec3 normal = unit(glm::cross(across, along));
     const double fold = 0.2 * glm::length(across);
-    for (const glm::dvec3& point : {foot, foot + 0.5 * along + across + fold * normal, foot + along,
-                                    foot + 0.5 * along - across + fold * normal}) {
+    const std::array folded{foot, foot + 0.5 * along + across + fold * normal, foot + along,
+                            foot + 0.5 * along - across + fold * normal};
+    const std::array card{foot - 1.5 * across, foot + 1.5 * across, foot + along + 1.5 * across,
+                          foot + along - 1.5 * across};
+    const bool cut_out = paint_info(leaves.paint).texture == Texture::sprig;
+    for (const glm::dvec3& point : cut_out ? card : folded) {
         leaves.positions.emplace_back(point);
         leaves.normals.emplace_back(normal);
+    }
+    if (cut_out) {
+        leaves.tex_coords_0.insert(leaves.tex_coords_0.end(), {{0, 1}, {1, 1}, {1, 0}, {0, 0}});
     }
     const auto grid = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
     const auto cell = 1.0F / static_cast<float>(grid);
@@ -104,7 +112,7 @@ std::vector<glm::dvec3> branch_path(const glm::dvec3& from, const glm::dvec3& ou
 std::vector<Patch> make_plant(const PlantShape& shape, std::uint32_t number) {
     Draw draw(number);
     Patch wood{.paint = Paint::walnut};
-    Patch leaves{.paint = Paint::grass};
+    Patch leaves{.paint = shape.foliage};
     const Strip all{0, static_cast<std::size_t>(shape.branches) + 1};
     std::vector<glm::dvec3> stem{glm::dvec3(0.0)};
     for (int ring = 1; ring <= shape.stem_rings; ++ring) {

@@ -18,6 +18,7 @@ struct PlantShape {
     double reach = 1.9;   ///< length of a branch
     int leaves = 600;     ///< two triangles each
     double leaf_length = 0.30;
+    Paint foliage = Paint::grass; ///< Paint::leaves: each leaf is a card with a sprig cut out of it
 };
 
 /// Stands on y = 0 at the origin; `number` varies it, but not its number of triangles.

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "host_bake.hpp"
+#include "imageio/encode.hpp"
+#include "memory_plan.hpp"
+#include "opacity.hpp"
 #include "vkbake/plan.hpp"
 
 namespace vkbake {
@@ -67,6 +70,26 @@ TEST(Plan, TexturesAreReadForBouncesOnly) {
     EXPECT_FALSE(entry(scene, settings, "albedo textures").modelled);
     settings.bounces = 1;
     EXPECT_TRUE(entry(scene, settings, "albedo textures").modelled);
+}
+
+TEST(Plan, CountsTheTexturesThatOpacityTakes) {
+    Scene scene = test::painted_floor({.base_color_texture = TextureUse{}, .alpha_mode = AlphaMode::mask});
+    const Image image{
+        .width = 300, .height = 200, .texels = std::vector<glm::vec4>(60000, glm::vec4(0.5F)), .coverage = {}};
+    const std::vector<std::uint8_t> bytes = encode_image(image, ImageFormat::png8).bytes;
+    scene.images.resize(2);
+    for (const std::uint8_t byte : bytes) {
+        scene.images[0].bytes.push_back(std::byte{byte});
+    }
+    EXPECT_EQ(opacity_bytes(scene, {}), 100000U + 9U * 60000U);
+    EXPECT_EQ(memory_need(scene, {}, {}).opacity, 640000U);
+    EXPECT_EQ(memory_need(scene, {}, {.alpha = Alpha::opaque}).opacity, 0U);
+    scene.materials[0].transmission = 0.5F; // three channels more
+    EXPECT_EQ(opacity_bytes(scene, {}), 400000U + 9U * 60000U);
+    scene.images[0].bytes.resize(20); // no header: refused when it is decoded
+    EXPECT_EQ(opacity_bytes(scene, {}), 0U);
+    scene.materials[0] = {};
+    EXPECT_EQ(opacity_bytes(scene, {}), 0U);
 }
 
 TEST(Plan, SaysWhichTrianglesLetLightThrough) {
