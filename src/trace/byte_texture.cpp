@@ -31,6 +31,15 @@ ByteTexture halved(const ByteTexture& texture) {
     return half;
 }
 
+/// Places beyond this have no fraction left that a texture coordinate in float could have had.
+constexpr double farthest_place = 0x1p30;
+
+/// Of |value| up to 2³⁰. std::floor is a call on machines whose least instruction set has none.
+int floor_of(double value) {
+    const auto towards_zero = static_cast<int>(value);
+    return towards_zero - (towards_zero > value ? 1 : 0);
+}
+
 /// Into the range in which wrapping is a matter of one picture beside the next: [0, 1), mirrored [0, 2), clamped [0,
 /// 1].
 double folded(double place, Wrap wrap) {
@@ -38,11 +47,11 @@ double folded(double place, Wrap wrap) {
     case Wrap::clamp:
         return std::clamp(place, 0.0, 1.0);
     case Wrap::mirror:
-        return place - 2.0 * std::floor(0.5 * place);
+        return place - 2.0 * floor_of(0.5 * place);
     case Wrap::repeat:
         break;
     }
-    return place - std::floor(place);
+    return place - floor_of(place);
 }
 
 /// A texel's number, of one picture or of those beside it, as one of this picture.
@@ -51,7 +60,10 @@ int wrapped(int texel, Wrap wrap, int size) {
         return std::clamp(texel, 0, size - 1);
     }
     const int period = wrap == Wrap::mirror ? 2 * size : size;
-    const int inside = ((texel % period) + period) % period;
+    int inside = texel;
+    if (texel < 0 || texel >= period) { // a division is worth a branch
+        inside = ((texel % period) + period) % period;
+    }
     return inside < size ? inside : period - 1 - inside;
 }
 
@@ -62,17 +74,16 @@ struct Taps {
 };
 
 Taps taps(double place, Wrap wrap, Filter filter, int size) {
-    if (!std::isfinite(place)) {
+    if (!(std::abs(place) < farthest_place)) {
         return {};
     }
     const double texels = folded(place, wrap) * size;
     if (filter == Filter::nearest) {
-        const int texel = wrapped(static_cast<int>(std::floor(texels)), wrap, size);
+        const int texel = wrapped(floor_of(texels), wrap, size);
         return {texel, texel, 0.0F};
     }
-    const double before = std::floor(texels - 0.5);
-    const auto first = static_cast<int>(before);
-    return {wrapped(first, wrap, size), wrapped(first + 1, wrap, size), static_cast<float>(texels - 0.5 - before)};
+    const int first = floor_of(texels - 0.5);
+    return {wrapped(first, wrap, size), wrapped(first + 1, wrap, size), static_cast<float>(texels - 0.5 - first)};
 }
 
 float blend(float from, float to, float share) { return from + (to - from) * share; }
@@ -135,7 +146,7 @@ std::array<TextureSampler::Span, 2> TextureSampler::touched(int axis, double low
     // A texel more on either side than a look-up between texel centres touches: for the rounding of places.
     const double begin = std::floor(low * size - 1.5);
     const double end = std::floor(high * size + 1.5);
-    if (!(end - begin < size - 1.0) || std::abs(begin) > 0x1p30 || std::abs(end) > 0x1p30) { // NaN too
+    if (!(end - begin < size - 1.0) || std::abs(begin) > farthest_place || std::abs(end) > farthest_place) { // NaN too
         return {whole, whole};
     }
     const int first = wrapped(static_cast<int>(begin), wrap, size);

@@ -49,7 +49,7 @@ public:
     [[nodiscard]] glm::dvec2 place(const glm::dvec2& uv) const { return m_offset + m_matrix * uv; }
     /// At a place: the texel that it lies in, or what is interpolated between the four around it, as the sampler says
     /// of magnification; 0 … 1. Linear values are never outside what these have (differences of bytes are exact, and
-    /// rounding is monotone). A place that is not finite: the first texel.
+    /// rounding is monotone). A place that is not finite, or 2³⁰ or more away: the first texel.
     [[nodiscard]] float value(const ByteTexture& texture, const ByteValues& values, const glm::dvec2& place) const;
 
     /// The texels that look-ups in a rectangle of places may touch, along one axis: of [first, last] by turns; the

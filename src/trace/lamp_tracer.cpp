@@ -225,25 +225,28 @@ void LampTracer::aim(const ReadyLamp& lamp, const Disc& disc) {
 void LampTracer::trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* parts) {
     const BlockedRays blocked = m_visibility->blocked(m_block, m_scratch);
     const unsigned shift = parts != nullptr ? part_shift(m_plan->samples()) : 0;
+    const double bright = luminance(lamp.light);
     std::array<double, RayBlock::lanes> weights{};
     for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
         m_ray_count += static_cast<std::uint64_t>(std::popcount(m_block.active[stratum]));
         const unsigned open = (m_block.active[stratum] & ~static_cast<unsigned>(blocked[stratum])) | m_beside[stratum];
+        const unsigned dimmed = m_scratch.dimmed()[stratum];
         m_reached[lamp.number] += static_cast<std::uint64_t>(std::popcount(open));
         for (unsigned left = open; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const auto weight = static_cast<double>(m_weights[stratum][lane]);
-            const bool dimmed = (m_scratch.dimmed()[stratum] >> lane & 1U) != 0;
-            const glm::dvec3 light = glm::dvec3(m_scratch.transmittance(stratum, lane)) * lamp.light;
-            if (dimmed) {
-                m_sums[lane] += weight * disc.strength[lane] * light;
-            } else {
+            double luminance_seen = bright;
+            if ((dimmed >> lane & 1U) == 0) {
                 weights[lane] += weight;
+            } else {
+                const glm::dvec3 light = glm::dvec3(m_scratch.transmittance(stratum, lane)) * lamp.light;
+                m_sums[lane] += weight * disc.strength[lane] * light;
+                luminance_seen = luminance(light);
             }
             if (parts != nullptr) {
                 const std::uint32_t part = m_indices.of[stratum][lane] >> shift;
                 if (part < part_count) { // those beyond a power of two belong to none
-                    parts->luminance[part][lane] += luminance(light) * disc.strength[lane] * weight;
+                    parts->luminance[part][lane] += luminance_seen * disc.strength[lane] * weight;
                 }
             }
         }

@@ -51,7 +51,9 @@ void TileTracer::sum_up(const TexelTile& tile) {
             open[stratum] = static_cast<RayBlock::LaneBits>(block.active[stratum] & ~blocked[stratum]);
         }
         const RayPlan::Weights weights = m_plan->weights(number);
-        add_dimmed(block, weights, open);
+        if (m_visibility->filters()) {
+            add_dimmed(block, weights, open);
+        }
         add_sky(*m_sky, block, open, weights, m_sums, m_with_parts ? &m_luminance : nullptr);
         if (m_with_parts) {
             add_parts(open, blocked);

@@ -71,6 +71,8 @@ public:
     Visibility(const Surface& surface, const AcceleratorSettings& settings, const SurfaceOpacity* opacity = nullptr);
 
     [[nodiscard]] VisibilityScratch make_scratch() const;
+    /// Whether there are triangles that are not opaque: otherwise no ray is dimmed.
+    [[nodiscard]] bool filters() const { return m_filtered.has_value(); }
 
     /// The active rays along which nothing gets through. Sets scratch.dimmed().
     [[nodiscard]] BlockedRays blocked(const RayBlock& block, VisibilityScratch& scratch) const;

@@ -60,7 +60,7 @@ Scene floor_in_boxes(const std::vector<Material>& materials, float repeats = 1.0
     return scene;
 }
 
-Settings settings_of(std::uint32_t rays = 64) {
+Settings settings_of(std::uint32_t rays = test::amount(64U, 16U)) {
     Settings settings;
     settings.layout = Layout::object;
     settings.density = 16.0;
@@ -198,6 +198,7 @@ TEST(Opacity, AHoleInAMaskIsAWindow) {
     // A lid one above the floor with a square hole, 1 × 1, in the middle of it; closed around.
     Scene scene = test::scene_of(test::floor_of(0.5F));
     test::add_object(scene, "lid", with_uvs(test::box_of(glm::vec3(-1.0F), glm::vec3(1.0F)), 1.0F));
+    scene.instances.back().density = 0.125;
     Material material{.base_color_texture =
                           TextureUse{.wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp, .filter = Filter::nearest},
                       .alpha_mode = AlphaMode::mask};
@@ -212,7 +213,8 @@ TEST(Opacity, AHoleInAMaskIsAWindow) {
             box.tex_coords[0][vertex] *= 0.125F;
         }
     }
-    const test::HostBake bake = test::bake_on_host(scene, test::constant_sky(glm::vec3(1.0F)), settings_of(1024));
+    const test::HostBake bake =
+        test::bake_on_host(scene, test::constant_sky(glm::vec3(1.0F)), settings_of(test::amount(1024U, 256U)));
     double sum = 0.0;
     int count = 0;
     for (std::size_t texel = 0; texel < bake.geometry[0].texel_count(); ++texel) {
@@ -356,9 +358,11 @@ std::vector<glm::dvec3> lamp_light(const std::optional<Material>& sheet, const M
     Primitive downwards = test::floor_of(1.0F);
     std::ranges::reverse(downwards.indices);
     test::add_object(scene, "lamp", downwards, {0.0, 1.0, 0.0});
+    scene.instances.back().density = 0.25;
     test::paint(scene, 1, lamp);
     if (sheet) {
         test::add_object(scene, "sheet", with_uvs(test::floor_of(2.0F), 1.0F), {0.0, 0.5, 0.0});
+        scene.instances.back().density = 0.125;
         test::paint(scene, 2, *sheet);
     }
     add_texture(scene, 2, 2, [](int, int) { return white(0.25F); });
