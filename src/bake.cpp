@@ -61,6 +61,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
         map.name = bake.atlas.pages[page].name;
         bake.light_maps.push_back(std::move(map));
     }
+    add_notes(tracer.notes());
     add_notes(note_lamps(scene, bake));
     if (settings.bounces > 0) {
         add_bounces(scene, tracer, draw, clock, bake);

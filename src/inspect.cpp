@@ -90,7 +90,8 @@ std::uint64_t rays_to_lamps(const Scene& scene, const Settings& settings, std::u
     return rays;
 }
 
-void foretell_bake(const Scene& scene, const Surface& surface, const Settings& settings, Inspection& inspection) {
+void foretell_bake(const Scene& scene, const Surface& surface, const Settings& settings, const Sky& sky,
+                   Inspection& inspection) {
     if (surface.triangle_count() == 0) {
         inspection.notes.emplace_back("there is nothing to bake: no node shows a triangle");
         return;
@@ -108,18 +109,20 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
     for (std::uint32_t page = 0; page < atlas.pages.size(); ++page) {
         inspection.covered_texels += static_cast<std::uint64_t>(std::llround(expected_coverage(atlas, page)));
     }
-    inspection.memory = peak_memory(memory_need(scene, Sky(), settings, atlas.pages.size()));
+    inspection.memory = peak_memory(memory_need(scene, sky, settings, atlas.pages.size()));
     inspection.memory_limit = memory_limit(settings);
     const auto rays = [&](std::uint32_t asked) -> std::uint64_t {
         return settings.sampler == Sampler::thesis ? 256 : asked;
     };
     const bool bounced = settings.bounces > 0 && (reflects(scene) || emits(scene));
-    inspection.rays =
-        inspection.covered_texels * (rays(settings.rays) + rays_to_lamps(scene, settings, rays(settings.rays)) +
-                                     (bounced ? settings.bounces * rays(settings.bounce_rays) : 0));
+    const bool has_sun = std::ranges::any_of(
+        inspection.plan, [](const PlanEntry& entry) { return entry.phenomenon == "sun" && entry.modelled; });
+    inspection.rays = inspection.covered_texels *
+                      ((has_sun ? 2 : 1) * rays(settings.rays) + rays_to_lamps(scene, settings, rays(settings.rays)) +
+                       (bounced ? settings.bounces * rays(settings.bounce_rays) : 0));
 }
 
-Inspection inspect_scene(const Scene& scene, const Settings& settings) {
+Inspection inspect_scene(const Scene& scene, const Settings& settings, const Sky& sky) {
     Inspection inspection;
     inspection.meshes = scene.meshes.size();
     inspection.instances = scene.instances.size();
@@ -127,7 +130,7 @@ Inspection inspect_scene(const Scene& scene, const Settings& settings) {
     inspection.images = scene.images.size();
     inspection.cameras = scene.cameras.size();
     inspection.lamps = scene.lamps.size();
-    inspection.plan = make_plan(scene, settings);
+    inspection.plan = make_plan(scene, settings, sky);
     inspection.notes = scene.notes;
     for (const Instance& instance : scene.instances) {
         const auto& primitives = scene.meshes.at(instance.mesh).primitives;
@@ -142,14 +145,14 @@ Inspection inspect_scene(const Scene& scene, const Settings& settings) {
     }
     const Surface surface = make_surface(scene);
     measure_surface(surface, inspection);
-    foretell_bake(scene, surface, settings, inspection);
+    foretell_bake(scene, surface, settings, sky, inspection);
     return inspection;
 }
 
 } // namespace
 
-Inspection inspect(const Scene& scene, const Settings& settings) {
-    return at_boundary([&] { return inspect_scene(scene, settings); });
+Inspection inspect(const Scene& scene, const Settings& settings, const Sky& sky) {
+    return at_boundary([&] { return inspect_scene(scene, settings, sky); });
 }
 
 } // namespace vkbake

@@ -9,6 +9,7 @@
 
 #include "base/boundary.hpp"
 #include "material/surface_colors.hpp"
+#include "trace/sky_peaks.hpp"
 #include "trace/surface_opacity.hpp"
 
 namespace vkbake {
@@ -54,6 +55,23 @@ PlanEntry plan_sky(const Settings& settings) {
         return {"sky", false, "mode ao stores visibility, whatever the sky"};
     }
     return {"sky", true, "its direct light, " + rays_text(settings.rays, settings.sampler)};
+}
+
+PlanEntry plan_sun(const Sky& sky, const Settings& settings) {
+    if (settings.mode == Mode::ao) {
+        return {"sun", false, "mode ao has no light"};
+    }
+    if (settings.sampler != Sampler::cosine) {
+        return {"sun", false, "the sampler thesis looks for none"};
+    }
+    const PeakCut cut = find_peaks(make_sky_lookup(sky));
+    if (!cut.worthwhile()) {
+        return {"sun", false, "no part of the sky is so bright that it wants rays of its own"};
+    }
+    return settings.sun == Switch::on ? PlanEntry{"sun", true,
+                                                  describe(cut) + ": sampled on its own, " +
+                                                      rays_text(settings.rays, settings.sampler) + " more"}
+                                      : PlanEntry{"sun", false, describe(cut) + ": found by chance (--sun off)"};
 }
 
 /// "1 hard lamp", "2 soft lamps"
@@ -149,9 +167,10 @@ PlanEntry plan_alpha(const Scene& scene, const Settings& settings) {
 
 } // namespace
 
-std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings) {
+std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings, const Sky& sky) {
     return at_boundary([&] {
         return std::vector<PlanEntry>{plan_sky(settings),
+                                      plan_sun(sky, settings),
                                       plan_lamps(scene, settings),
                                       plan_bounces(scene, settings),
                                       plan_emission(scene, settings),

@@ -10,6 +10,7 @@
 #include "vkbake/plan.hpp"
 #include "vkbake/scene.hpp"
 #include "vkbake/settings.hpp"
+#include "vkbake/sky.hpp"
 
 namespace vkbake {
 
@@ -31,13 +32,13 @@ struct Inspection {
     std::size_t pages = 0;
     double density = 0.0;             ///< texels per metre; 0 where all UVs are kept
     std::uint64_t covered_texels = 0; ///< estimate
-    std::uint64_t rays = 0;           ///< estimate; those to lamps as if each reached all texels
-    std::uint64_t memory = 0;         ///< bytes at the most, estimate; without a sky's picture
+    std::uint64_t rays = 0;           ///< estimate; those to lamps and sun as if these reached all texels
+    std::uint64_t memory = 0;         ///< bytes at the most, estimate
     std::uint64_t memory_limit = 0;   ///< bytes that the settings, or by default the machine, allow
     std::vector<PlanEntry> plan;      ///< make_plan's
     std::vector<std::string> notes;
 };
 
-[[nodiscard]] Inspection inspect(const Scene& scene, const Settings& settings);
+[[nodiscard]] Inspection inspect(const Scene& scene, const Settings& settings, const Sky& sky = {});
 
 } // namespace vkbake

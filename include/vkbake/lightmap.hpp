@@ -24,6 +24,7 @@ struct LightMapStatistics {
     std::uint64_t back_side_hits = 0;     ///< of those, on a triangle's back
     std::uint64_t bounce_rays = 0;        ///< traced beside `rays`, for what surfaces reflect and emit
     std::uint64_t lamp_rays = 0;          ///< traced beside `rays`, towards lamps
+    std::uint64_t peak_rays = 0;          ///< traced beside both, towards the sky's brightest places
     std::uint64_t filled_texels = 0;      ///< by dilation
     double seconds = 0.0;                 ///< tracing
     /// For each of Scene::lamps the rays that reached it; empty where no lamps were baked.

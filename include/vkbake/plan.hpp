@@ -6,6 +6,7 @@
 
 #include "vkbake/scene.hpp"
 #include "vkbake/settings.hpp"
+#include "vkbake/sky.hpp"
 
 namespace vkbake {
 
@@ -15,8 +16,8 @@ struct PlanEntry {
     std::string reason; ///< one line
 };
 
-/// One entry each for the sky's light, lamps, bounces, emission, albedo textures, alpha. What is not modelled costs a
-/// bake nothing. Pure; nothing is decoded, so shares are what the materials' factors allow, before textures.
-[[nodiscard]] std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings);
+/// One entry each for the sky's light, its sun, lamps, bounces, emission, albedo textures, alpha. What is not modelled
+/// costs a bake nothing. Pure; nothing is decoded, so shares are what the materials' factors allow, before textures.
+[[nodiscard]] std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings, const Sky& sky = {});
 
 } // namespace vkbake

@@ -60,6 +60,9 @@ struct Settings {
     /// Whether the scene's lamps are baked; mode ao has none. A hard one takes a ray a texel, a soft one as many as the
     /// sky does. off: they are left for whoever draws the scene.
     Switch lamps = Switch::on;
+    /// Whether the brightest places of a sky's picture, its sun above all, are sampled on their own where that is worth
+    /// it, with as many rays again; sampler cosine.
+    Switch sun = Switch::on;
     Sampler sampler = Sampler::cosine;
     Accelerator accelerator = Accelerator::bvh;
     TriangleTest triangle_test = TriangleTest::watertight; ///< moller_trumbore: accelerators brute and clusters only

@@ -5,6 +5,7 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -63,6 +64,12 @@ void print_maps(const Bake& bake) {
                    statistics.rays == 0
                        ? 0.0
                        : 100.0 * static_cast<double>(statistics.occluded_rays) / static_cast<double>(statistics.rays));
+        if (const std::uint64_t sought = statistics.lamp_rays + statistics.peak_rays; sought > 0) {
+            fmt::print("  {:<24} {} rays more to {}{}{}\n", "", count_text(static_cast<double>(sought)),
+                       statistics.peak_rays > 0 ? "the sky's brightest places" : "",
+                       statistics.peak_rays > 0 && statistics.lamp_rays > 0 ? " and " : "",
+                       statistics.lamp_rays > 0 ? "lamps" : "");
+        }
         if (map.error) {
             print_error(*map.error);
         }

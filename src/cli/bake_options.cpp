@@ -69,6 +69,8 @@ void add_light_options(CLI::App& app, Settings& settings) {
     app.add_option("--rays", settings.rays, "Rays a texel")->check(CLI::Range(1U, 1U << 24U))->capture_default_str();
     add_choice(app, "--lamps", settings.lamps,
                "Bake the scene's lamps (KHR_lights_punctual), or leave them for whoever draws it");
+    add_choice(app, "--sun", settings.sun,
+               "Sample the brightest places of a sky's picture on their own, where that is worth as many rays again");
     app.add_option("--bounces", settings.bounces,
                    "How often light is followed from surface to surface; the first also brings what surfaces emit")
         ->check(CLI::Range(0U, 64U))

@@ -16,6 +16,7 @@ namespace {
 struct InspectOptions {
     std::string scene;
     LoadSettings load;
+    SkyOptions sky;
     Settings settings;
     bool json = false;
     bool uvs = false;
@@ -110,7 +111,7 @@ int run_inspect(const InspectOptions& options) {
         }
         return exit_done;
     }
-    const Inspection inspection = inspect(scene, options.settings);
+    const Inspection inspection = inspect(scene, options.settings, options.sky.load());
     if (options.json) {
         fmt::print("{}\n", to_json(inspection));
     } else {
@@ -126,6 +127,7 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
     CLI::App& command = *app.add_subcommand("inspect", "Say what a scene has and what a bake of it would make");
     command.add_option("scene", options->scene, "The scene, .gltf or .glb")->required()->type_name("SCENE");
     add_load_options(command, options->load);
+    add_sky_options(command, options->sky);
     add_atlas_options(command, options->settings);
     add_light_options(command, options->settings);
     command.add_flag("--uv-table", options->uvs,

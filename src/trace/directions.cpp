@@ -152,36 +152,57 @@ HWY_INLINE std::array<Place, RayBlock::strata> places_of(const CosineStrata& str
     return places;
 }
 
-std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
-                                std::size_t number, RayBlock& block, SampleIndices* indices) {
+using StratumBits = std::array<unsigned, RayBlock::strata>;
+
+/// The samples' points in the square, as x and y of the block's directions, of a part of the lanes; adds to `asked`.
+HWY_INLINE void place_points(const CosineStrata& strata, const std::array<Place, RayBlock::strata>& places,
+                             const TileLanes& lanes, std::size_t first, RayBlock& block, SampleIndices* indices,
+                             StratumBits& asked) {
     const WordLanes words;
-    const auto places = places_of(strata, tables, number);
     const Words first_index = set_word(strata.first());
     const Words index_count = set_word(strata.rays() - strata.first());
-    std::array<unsigned, RayBlock::strata> asked{};
-    std::array<unsigned, RayBlock::strata> active{};
-    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(words)) {
-        const Scramble in_x(lanes, first, 32);
-        const Scramble in_y(lanes, first, 0);
+    const Scramble in_x(lanes, first, 32);
+    const Scramble in_y(lanes, first, 0);
+    for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+        const StratumTables::Rows& column = *places[i].column;
+        const StratumTables::Rows& row = *places[i].row;
+        const CosineStrata::Part& round = places[i].round;
+        const auto joined = [&](const auto& in_column, const auto& in_row, std::uint32_t in_round) HWY_ATTR {
+            return hn::Xor(hn::Xor(hn::Load(words, &in_column[first]), hn::Load(words, &in_row[first])),
+                           set_word(in_round));
+        };
+        const Words index = joined(column.index, row.index, round.index);
+        const Words image = joined(column.image, row.image, round.image);
+        store({centred(in_x(index)), centred(in_y(image)), set(0.0F)}, block.direction[i], first);
+        asked[i] |= bits_at(first, hn::RebindMask(Lanes(), hn::Lt(index - first_index, index_count)));
+        if (indices != nullptr) {
+            hn::Store(index, words, &indices->of[i][first]);
+        }
+    }
+}
+
+void square_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,
+                   RayBlock& block, SampleIndices* indices) {
+    const auto places = places_of(strata, tables, number);
+    StratumBits asked{};
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(WordLanes())) {
+        place_points(strata, places, lanes, first, block, indices, asked);
+    }
+    for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+        block.active[i] = static_cast<RayBlock::LaneBits>(asked[i] & lanes.covered);
+    }
+}
+
+std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
+                                std::size_t number, RayBlock& block, SampleIndices* indices) {
+    const auto places = places_of(strata, tables, number);
+    StratumBits asked{};
+    StratumBits active{};
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(WordLanes())) {
         const Frames frames(lanes, first);
         // Point, direction about +Z, direction in the world: three short loops, for in one long one each ray's chain of
         // operations, 150 cycles, would hide behind too few others.
-        for (std::size_t i = 0; i < RayBlock::strata; ++i) {
-            const StratumTables::Rows& column = *places[i].column;
-            const StratumTables::Rows& row = *places[i].row;
-            const CosineStrata::Part& round = places[i].round;
-            const auto joined = [&](const auto& in_column, const auto& in_row, std::uint32_t in_round) HWY_ATTR {
-                return hn::Xor(hn::Xor(hn::Load(words, &in_column[first]), hn::Load(words, &in_row[first])),
-                               set_word(in_round));
-            };
-            const Words index = joined(column.index, row.index, round.index);
-            const Words image = joined(column.image, row.image, round.image);
-            store({centred(in_x(index)), centred(in_y(image)), set(0.0F)}, block.direction[i], first);
-            asked[i] |= bits_at(first, hn::RebindMask(Lanes(), hn::Lt(index - first_index, index_count)));
-            if (indices != nullptr) {
-                hn::Store(index, words, &indices->of[i][first]);
-            }
-        }
+        place_points(strata, places, lanes, first, block, indices, asked);
         for (auto& rows : block.direction) {
             const Vector3 point = load(rows, first);
             store(cosine_hemisphere(point.x, point.y), rows, first);
@@ -227,6 +248,7 @@ namespace vkbake {
 
 HWY_EXPORT(invert_scrambles);
 HWY_EXPORT(cosine_directions);
+HWY_EXPORT(square_points);
 HWY_EXPORT(thesis_directions);
 
 void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, StratumTables& tables) {
@@ -236,6 +258,11 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
 std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
                              std::size_t number, RayBlock& block, SampleIndices* indices) {
     return HWY_DYNAMIC_DISPATCH(cosine_directions)(strata, tables, lanes, number, block, indices);
+}
+
+void set_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,
+                RayBlock& block, SampleIndices* indices) {
+    HWY_DYNAMIC_DISPATCH(square_points)(strata, tables, lanes, number, block, indices);
 }
 
 std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes, std::size_t number,

@@ -42,6 +42,11 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
                                            const TileLanes& lanes, std::size_t number, RayBlock& block,
                                            SampleIndices* indices = nullptr);
 
+/// The points of the same samples in the square, before they become directions: x and y in (−1, 1) stand in the first
+/// two axes of block.direction. `active` are all that were asked for.
+void set_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,
+                RayBlock& block, SampleIndices* indices = nullptr);
+
 /// The thesis's; all of the covered lanes' are asked for.
 [[nodiscard]] std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes,
                                            std::size_t number, RayBlock& block);

@@ -110,7 +110,7 @@ void LampTracer::sum_up(const TileLanes& lanes, LaneParts* parts) {
     for (std::size_t lane = 0; lane < m_sums.size(); ++lane) {
         m_sums[lane] *= unit;
         if (parts != nullptr) {
-            parts->of_lamps[lane] += luminance(m_sums[lane]);
+            parts->of_lights[lane] += luminance(m_sums[lane]);
         }
     }
 }

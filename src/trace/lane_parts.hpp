@@ -12,7 +12,7 @@ namespace vkbake {
 /// Of each lane, what the estimate of its error is made from.
 struct LaneParts {
     alignas(64) std::array<std::array<double, RayBlock::lanes>, part_count> luminance{}; ///< Σ L of the part's samples
-    std::array<double, RayBlock::lanes> of_lamps{};    ///< Σ L of all samples that lamps sent
+    std::array<double, RayBlock::lanes> of_lights{};   ///< Σ L of what has rays of its own: lamps, the sky's peaks
     std::array<std::uint32_t, RayBlock::lanes> open{}; ///< rays along which light came
     std::array<std::uint32_t, RayBlock::lanes> blocked{};
 };

@@ -67,7 +67,7 @@ void SampledMap::add(std::size_t slot, std::size_t lane, const glm::dvec3& sum, 
         record.parts[part] = static_cast<float>(sums[part] + m_intensity * parts.luminance[part][lane]);
     }
     record.sum += m_intensity * sum;
-    record.of_lamps += m_intensity * parts.of_lamps[lane];
+    record.of_lights += m_intensity * parts.of_lights[lane];
     record.open += parts.open[lane];
     record.blocked += parts.blocked[lane];
 }
@@ -112,7 +112,7 @@ double SampledMap::tile_variance(std::size_t tile, double ratio) const {
 double SampledMap::greatest_luminance() const {
     double greatest = 0.0;
     each_texel([&](std::uint32_t /*texel*/, const Record& record, std::uint32_t rays) {
-        greatest = std::max(greatest, (luminance(record.sum) - record.of_lamps) / rays);
+        greatest = std::max(greatest, (luminance(record.sum) - record.of_lights) / rays);
     });
     return greatest;
 }

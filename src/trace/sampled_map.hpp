@@ -62,7 +62,7 @@ public:
 private:
     struct Record {
         glm::dvec3 sum{0.0};
-        double of_lamps = 0.0; ///< luminance in `sum`
+        double of_lights = 0.0; ///< luminance in `sum`, as LaneParts has it
         std::array<float, part_count> parts{};
         std::uint32_t open = 0;
         std::uint32_t blocked = 0;
@@ -74,7 +74,7 @@ private:
     /// Calls visit(texel, record, rays) in the tiles' order.
     template<typename Visit>
     void each_texel(const Visit& visit) const;
-    /// That the sky sends to any texel.
+    /// That the sky's own rays bring to any texel.
     [[nodiscard]] double greatest_luminance() const;
     [[nodiscard]] double standard_error(const Record& record, std::uint32_t rays, double ratio, double greatest) const;
 

@@ -20,10 +20,8 @@ public:
     [[nodiscard]] int height() const { return m_height; }
 
     /// −1 ≤ x ≤ width, −1 ≤ y ≤ height.
-    [[nodiscard]] glm::vec3& at(int image, int x, int y) {
-        return m_texels[static_cast<std::size_t>(image) * texels_an_image() +
-                        (static_cast<std::size_t>(y) + 1) * texels_a_row() + static_cast<std::size_t>(x) + 1];
-    }
+    [[nodiscard]] glm::vec3& at(int image, int x, int y) { return m_texels[place_of(image, x, y)]; }
+    [[nodiscard]] const glm::vec3& at(int image, int x, int y) const { return m_texels[place_of(image, x, y)]; }
 
     // As floats: channel c of texel (x, y) is image · floats_an_image() + (y + 1) · floats_a_row() + (x + 1) · 3 + c.
     [[nodiscard]] const float* floats() const { return &m_texels[0].x; }
@@ -32,6 +30,10 @@ public:
     [[nodiscard]] std::size_t floats_an_image() const { return 3 * texels_an_image(); }
 
 private:
+    [[nodiscard]] std::size_t place_of(int image, int x, int y) const {
+        return static_cast<std::size_t>(image) * texels_an_image() +
+               (static_cast<std::size_t>(y) + 1) * texels_a_row() + static_cast<std::size_t>(x) + 1;
+    }
     [[nodiscard]] std::size_t texels_a_row() const { return static_cast<std::size_t>(m_width) + 2; }
     [[nodiscard]] std::size_t texels_an_image() const {
         return texels_a_row() * (static_cast<std::size_t>(m_height) + 2);

@@ -30,27 +30,6 @@ void copy_inside(BorderedImages& to, int image, const Image& from) {
     }
 }
 
-/// The point of the cube's surface that cube_point maps to (face, s, t); beyond the face's border for s, t outside [0,
-/// 1].
-glm::dvec3 cube_direction(int face, double s, double t) {
-    const double sc = 2.0 * s - 1.0;
-    const double tc = 2.0 * t - 1.0;
-    switch (face) {
-    case 0:
-        return {1.0, -tc, -sc};
-    case 1:
-        return {-1.0, -tc, sc};
-    case 2:
-        return {sc, 1.0, tc};
-    case 3:
-        return {sc, -1.0, -tc};
-    case 4:
-        return {sc, -tc, 1.0};
-    default:
-        return {-sc, -tc, -1.0};
-    }
-}
-
 /// The texel next to a face's border, on the face beyond it.
 glm::vec3 texel_beyond(const CubeSky& sky, int face, double s, double t) {
     const CubePoint point = cube_point(cube_direction(face, s, t));
@@ -187,6 +166,25 @@ CubePoint cube_point(const glm::dvec3& direction) {
         return y < 0.0 ? place(3, x, -z, height) : place(2, x, z, height);
     }
     return x < 0.0 ? place(1, z, -y, width) : place(0, -z, -y, width);
+}
+
+glm::dvec3 cube_direction(int face, double s, double t) {
+    const double sc = 2.0 * s - 1.0;
+    const double tc = 2.0 * t - 1.0;
+    switch (face) {
+    case 0:
+        return {1.0, -tc, -sc};
+    case 1:
+        return {-1.0, -tc, sc};
+    case 2:
+        return {sc, 1.0, tc};
+    case 3:
+        return {sc, -1.0, -tc};
+    case 4:
+        return {sc, -tc, 1.0};
+    default:
+        return {-sc, -tc, -1.0};
+    }
 }
 
 SkyLookup make_sky_lookup(const Sky& sky) {

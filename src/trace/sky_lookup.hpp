@@ -52,6 +52,10 @@ struct CubePoint {
 /// Z before Y before X where they are equal. The same choice as the thesis's §2.5.3.1, whose v counts from the bottom.
 [[nodiscard]] CubePoint cube_point(const glm::dvec3& direction);
 
+/// The point of the cube's surface that cube_point maps to (face, s, t); beyond the face's border for s, t outside [0,
+/// 1].
+[[nodiscard]] glm::dvec3 cube_direction(int face, double s, double t);
+
 /// Six faces, filtered across the cube's edges; at a corner the ring holds the mean of the three texels that meet
 /// there.
 struct CubeLookup {

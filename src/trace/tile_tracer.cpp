@@ -25,13 +25,16 @@ std::uint64_t ray_count(const BlockedRays& rays) {
 } // namespace
 
 TileTracer::TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
-                       const Visibility& visibility, const LampSet* lamps)
+                       const Visibility& visibility, const LightSources& sources)
     : m_plan(&plan), m_sky(&sky), m_visibility(&visibility), m_rays(surface, geometry, plan),
       m_scratch(visibility.make_scratch()) {
-    if (lamps != nullptr) {
-        m_lamps.emplace(*lamps, visibility);
-        m_lamps->set_plan(plan);
+    if (sources.lamps != nullptr) {
+        m_lamps.emplace(*sources.lamps, visibility);
     }
+    if (sources.peaks != nullptr) {
+        m_peaks.emplace(*sources.peaks, visibility);
+    }
+    set_plan(plan);
 }
 
 void TileTracer::sum_up(const TexelTile& tile) {
@@ -59,6 +62,10 @@ void TileTracer::sum_up(const TexelTile& tile) {
             add_parts(open, blocked);
         }
         probe(number, block, blocked);
+    }
+    if (m_peaks) {
+        m_peaks->sum_up(m_rays.lanes(), m_with_parts ? &m_parts : nullptr);
+        m_counts.peak_rays = m_peaks->rays();
     }
     if (m_lamps) {
         m_lamps->sum_up(m_rays.lanes(), m_with_parts ? &m_parts : nullptr);

@@ -10,6 +10,7 @@
 
 #include "trace/lamp_tracer.hpp"
 #include "trace/lane_parts.hpp"
+#include "trace/peak_tracer.hpp"
 #include "trace/sky_sum.hpp"
 #include "trace/tile_rays.hpp"
 #include "trace/visibility.hpp"
@@ -25,8 +26,9 @@ struct RayCounts {
     std::uint64_t probed_hits = 0;
     std::uint64_t back_side_hits = 0;
     std::uint64_t lamp_rays = 0; ///< beside `rays`
+    std::uint64_t peak_rays = 0; ///< beside both
 
-    [[nodiscard]] std::uint64_t all() const { return rays + lamp_rays; }
+    [[nodiscard]] std::uint64_t all() const { return rays + lamp_rays + peak_rays; }
 
     RayCounts& operator+=(const RayCounts& other) {
         rays += other.rays;
@@ -36,8 +38,15 @@ struct RayCounts {
         probed_hits += other.probed_hits;
         back_side_hits += other.back_side_hits;
         lamp_rays += other.lamp_rays;
+        peak_rays += other.peak_rays;
         return *this;
     }
+};
+
+/// What has rays of its own; null where there is none of it, and nothing asks for it.
+struct LightSources {
+    const LampSet* lamps = nullptr;
+    const SkyPeaks* peaks = nullptr; ///< sampler cosine only
 };
 
 /// Traces one tile after the other, for one thread; allocates nothing after it is made.
@@ -47,9 +56,9 @@ struct RayCounts {
 /// a thousand.
 class TileTracer {
 public:
-    /// All must outlive it. `lamps` may be null: there are none, and nothing asks for them.
+    /// All must outlive it, and what `sources` names too.
     TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
-               const Visibility& visibility, const LampSet* lamps);
+               const Visibility& visibility, const LightSources& sources);
 
     /// From now on another plan: TileRays::set_plan.
     void set_plan(const RayPlan& plan) {
@@ -57,6 +66,9 @@ public:
         m_rays.set_plan(plan);
         if (m_lamps) {
             m_lamps->set_plan(plan);
+        }
+        if (m_peaks) {
+            m_peaks->set_plan(plan);
         }
     }
 
@@ -91,8 +103,14 @@ private:
     void sum_up(const TexelTile& tile);
     /// Of the last tile.
     [[nodiscard]] glm::dvec3 light(std::size_t lane) const {
-        const glm::dvec3 from_sky = total(*m_sky, m_sums, lane) + m_dimmed[lane];
-        return m_lamps ? from_sky + m_lamps->sum(lane) : from_sky;
+        glm::dvec3 sum = total(*m_sky, m_sums, lane) + m_dimmed[lane];
+        if (m_peaks) {
+            sum += m_peaks->sum(lane);
+        }
+        if (m_lamps) {
+            sum += m_lamps->sum(lane);
+        }
+        return sum;
     }
     /// Adds the rays of a block that come dimmed, and takes them out of `open`.
     void add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open);
@@ -118,6 +136,7 @@ private:
     LuminanceRows m_luminance{};
     std::array<std::uint64_t, RayBlock::lanes> m_probes{}; ///< a stratum
     std::optional<LampTracer> m_lamps;
+    std::optional<PeakTracer> m_peaks;
     RayCounts m_counts;
 };
 

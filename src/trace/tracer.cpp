@@ -17,6 +17,7 @@
 #include "trace/lamp_set.hpp"
 #include "trace/sampled_map.hpp"
 #include "trace/sky_lookup.hpp"
+#include "trace/sky_peaks.hpp"
 #include "trace/texel_tiles.hpp"
 #include "trace/tile_loop.hpp"
 #include "trace/tile_rays.hpp"
@@ -46,6 +47,18 @@ SkyLookup make_radiance(const Sky& sky, const Settings& settings) {
     }
     SkyLookup lookup = make_sky_lookup(sky);
     return sky.intensity == 0.0 ? SkyLookup(ConstantLookup{glm::vec3(0.0F)}) : std::move(lookup);
+}
+
+/// Where they are worth it and wanted.
+std::optional<SkyPeaks> take_peaks(SkyLookup& radiance, const Settings& settings, std::vector<std::string>& notes) {
+    if (settings.sun == Switch::off || settings.sampler != Sampler::cosine) {
+        return std::nullopt;
+    }
+    const PeakCut cut = find_peaks(radiance);
+    if (cut.worthwhile()) {
+        notes.push_back("sky: " + describe(cut) + "; it is sampled on its own");
+    }
+    return cut.worthwhile() ? std::optional<SkyPeaks>(std::in_place, radiance, cut.threshold) : std::nullopt;
 }
 
 double intensity_of(const Sky& sky, const Settings& settings) {
@@ -103,7 +116,7 @@ struct Tracer::State {
     State(const Surface& traced, const Sky& sky, const Settings& asked, std::span<const Lamp> given,
           const SurfaceOpacity* opacity)
         : surface(&traced), threads(checked(asked).threads), radiance(make_radiance(sky, asked)),
-          intensity(intensity_of(sky, asked)),
+          intensity(intensity_of(sky, asked)), peaks(take_peaks(radiance, asked, notes)),
           lamps(bakes_lamps(asked) ? make_lamp_set(given, traced.frame, intensity) : LampSet()),
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
@@ -112,8 +125,9 @@ struct Tracer::State {
     [[nodiscard]] Workers make_workers(const GeometryImage& geometry) const {
         Workers workers(worker_count(threads));
         for (auto& worker : workers) {
-            worker = std::make_unique<TileTracer>(*surface, geometry, plan, radiance, visibility,
-                                                  lamps.empty() ? nullptr : &lamps);
+            worker = std::make_unique<TileTracer>(
+                *surface, geometry, plan, radiance, visibility,
+                LightSources{.lamps = lamps.empty() ? nullptr : &lamps, .peaks = peaks ? &*peaks : nullptr});
         }
         return workers;
     }
@@ -163,8 +177,10 @@ struct Tracer::State {
 
     const Surface* surface; ///< never null
     int threads;
+    std::vector<std::string> notes;
     SkyLookup radiance;
-    double intensity; ///< > 0
+    double intensity;              ///< > 0
+    std::optional<SkyPeaks> peaks; ///< which `radiance` then lacks
     LampSet lamps;
     RayPlan plan;
     Visibility visibility;
@@ -175,6 +191,8 @@ Tracer::Tracer(const Surface& surface, const Sky& sky, const Settings& settings,
     const DefaultFloatState float_state;
     m_state = std::make_unique<State>(surface, sky, settings, lamps, opacity);
 }
+
+std::vector<std::string> Tracer::notes() const { return m_state->notes; }
 
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
@@ -208,6 +226,7 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     map.statistics.probed_hits = counts.probed_hits;
     map.statistics.back_side_hits = counts.back_side_hits;
     map.statistics.lamp_rays = counts.lamp_rays;
+    map.statistics.peak_rays = counts.peak_rays;
     map.statistics.lamps_reached = reached(workers);
     map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return map;

@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "trace/surface_light.hpp"
 #include "trace/surface_opacity.hpp"
@@ -36,6 +38,9 @@ public:
     Tracer& operator=(Tracer&&) noexcept;
     Tracer(const Tracer&) = delete;
     Tracer& operator=(const Tracer&) = delete;
+
+    /// What is to be said of how light is found, a line each.
+    [[nodiscard]] std::vector<std::string> notes() const;
 
     /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called
     /// from the calling thread only. Throws Error{interrupted} where it returned false.

@@ -86,6 +86,7 @@ Json settings_json(const Settings& settings) {
             {"bounces", settings.bounces},
             {"bounce-rays", settings.bounce_rays},
             {"lamps", name_of(settings.lamps)},
+            {"sun", name_of(settings.sun)},
             {"alpha", name_of(settings.alpha)},
             {"sampler", name_of(settings.sampler)},
             {"accelerator", name_of(settings.accelerator)},
@@ -113,6 +114,7 @@ Json counts_json(const LightMap& map) {
               {"probed_hits", statistics.probed_hits},
               {"back_side_hits", statistics.back_side_hits},
               {"lamp_rays", statistics.lamp_rays},
+              {"peak_rays", statistics.peak_rays},
               {"bounce_rays", statistics.bounce_rays}};
     if (map.error) {
         json["error"] = {{"relative_rmse", map.error->relative_rmse},

@@ -45,10 +45,15 @@ Attributes provenance(const Bake& bake, const std::string& name) {
         attributes.emplace_back(std::string("vkbake:") + flag,
                                 value.is_string() ? value.get<std::string>() : value.dump());
     }
-    const bool lamps = std::any_of(bake.light_maps.begin(), bake.light_maps.end(),
-                                   [](const LightMap& map) { return !map.statistics.lamps_reached.empty(); });
-    if (lamps) {
+    const auto any_map = [&](const auto& has) {
+        return std::any_of(bake.light_maps.begin(), bake.light_maps.end(),
+                           [&](const LightMap& map) { return has(map.statistics); });
+    };
+    if (any_map([](const LightMapStatistics& statistics) { return !statistics.lamps_reached.empty(); })) {
         attributes.emplace_back("vkbake:lamps", "on");
+    }
+    if (any_map([](const LightMapStatistics& statistics) { return statistics.peak_rays > 0; })) {
+        attributes.emplace_back("vkbake:sun", "on");
     }
     return attributes;
 }

@@ -1,0 +1,87 @@
+#include "trace/peak_tracer.hpp"
+
+#include <bit>
+#include <variant>
+
+#include <glm/geometric.hpp>
+
+#include "base/luminance.hpp"
+#include "base/random.hpp"
+
+namespace vkbake {
+
+PeakTracer::PeakTracer(const SkyPeaks& peaks, const Visibility& visibility)
+    : m_peaks(&peaks), m_visibility(&visibility), m_scratch(visibility.make_scratch()) {}
+
+void PeakTracer::set_plan(const RayPlan& plan) {
+    m_plan = &plan;
+    m_strata = &std::get<CosineStrata>(plan.directions());
+}
+
+void PeakTracer::sum_up(const TileLanes& lanes, LaneParts* parts) {
+    constexpr std::uint64_t of_peaks = 0x7065616B; // scrambles that neither the sky's samples nor the lamps' have
+    m_sums.fill(glm::dvec3(0.0));
+    m_block.origin = lanes.origin;
+    m_block.ignored_triangle = lanes.triangle;
+    for (std::size_t lane = 0; lane < lanes.key.size(); ++lane) {
+        m_own_lanes.key[lane] = mix64(lanes.key[lane] ^ of_peaks);
+    }
+    m_own_lanes.covered = lanes.covered;
+    invert_scrambles(*m_strata, m_own_lanes, m_tables);
+    for (std::size_t number = 0; number < m_strata->block_count(); ++number) {
+        set_points(*m_strata, m_tables, m_own_lanes, number, m_block, &m_indices);
+        aim(lanes);
+        trace(parts);
+    }
+    if (parts != nullptr) {
+        for (std::size_t lane = 0; lane < m_sums.size(); ++lane) {
+            parts->of_lights[lane] += luminance(m_sums[lane]);
+        }
+    }
+}
+
+void PeakTracer::aim(const TileLanes& lanes) {
+    for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
+        auto& [x, y, z] = m_block.direction[stratum];
+        unsigned active = 0;
+        for (unsigned left = m_block.active[stratum]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            const SkyPeaks::Sample sample =
+                m_peaks->sample(0.5 + 0.5 * static_cast<double>(x[lane]), 0.5 + 0.5 * static_cast<double>(y[lane]));
+            const auto along = [&](const TileLanes::Rows& rows) {
+                return sample.direction.x * rows[0][lane] + sample.direction.y * rows[1][lane] +
+                       sample.direction.z * rows[2][lane];
+            };
+            const float cosine = along(lanes.normal);
+            active |= cosine > 0.0F && along(lanes.geometric_normal) > 0.0F ? 1U << lane : 0U;
+            m_light[stratum][lane] = cosine * sample.light;
+            x[lane] = sample.direction.x;
+            y[lane] = sample.direction.y;
+            z[lane] = sample.direction.z;
+        }
+        m_block.active[stratum] = static_cast<RayBlock::LaneBits>(active);
+    }
+}
+
+void PeakTracer::trace(LaneParts* parts) {
+    const BlockedRays blocked = m_visibility->blocked(m_block, m_scratch);
+    const unsigned shift = parts != nullptr ? part_shift(m_plan->samples()) : 0;
+    for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
+        m_ray_count += static_cast<std::uint64_t>(std::popcount(m_block.active[stratum]));
+        const unsigned open = m_block.active[stratum] & ~static_cast<unsigned>(blocked[stratum]);
+        for (unsigned left = open; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            const glm::dvec3 light =
+                glm::dvec3(m_scratch.transmittance(stratum, lane)) * glm::dvec3(m_light[stratum][lane]);
+            m_sums[lane] += light;
+            if (parts != nullptr) {
+                const std::uint32_t part = m_indices.of[stratum][lane] >> shift;
+                if (part < part_count) { // those beyond a power of two belong to none
+                    parts->luminance[part][lane] += luminance(light);
+                }
+            }
+        }
+    }
+}
+
+} // namespace vkbake

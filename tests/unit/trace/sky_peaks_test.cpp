@@ -1,0 +1,220 @@
+// The sky cut in two, and the directions to its brightest places.
+#include "trace/sky_peaks.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "amount.hpp"
+#include "base/luminance.hpp"
+#include "base/random.hpp"
+#include "chi_squared.hpp"
+#include "trace/sky_sum.hpp"
+
+namespace vkbake {
+namespace {
+
+Image image_of(int width, int height, const std::function<glm::vec3(int, int)>& value) {
+    Image image{.width = width, .height = height};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            image.texels.emplace_back(value(x, y), 1.0F);
+        }
+    }
+    return image;
+}
+
+/// A dim sky with bright texels where tents meet the picture's borders: at the seam, at a pole, in the middle.
+Sky panorama_with_suns() {
+    const auto value = [](int x, int y) {
+        glm::vec3 result(0.5F + 0.01F * static_cast<float>(x), 0.4F, 0.3F + 0.01F * static_cast<float>(y));
+        const bool sun = (x == 0 && y == 5) || (x == 31 && y == 6) || (x == 9 && y == 0) || (x == 20 && y == 7) ||
+                         (x == 21 && y == 7);
+        return sun ? glm::vec3(900.0F, 700.0F, 300.0F + 20.0F * static_cast<float>(x)) : result;
+    };
+    return {.source = EquirectangularSky{image_of(32, 16, value)}, .rotation_degrees = 25.0};
+}
+
+/// The same on a cube: at an edge, at a corner, within a face.
+Sky cube_with_suns() {
+    CubeSky cube;
+    for (int face = 0; face < 6; ++face) {
+        cube.faces[static_cast<std::size_t>(face)] = image_of(8, 8, [&](int x, int y) {
+            const bool sun =
+                (face == 2 && x == 7 && y == 3) || (face == 4 && x == 0 && y == 0) || (face == 0 && x == 3 && y == 2);
+            return sun ? glm::vec3(500.0F, 400.0F, 600.0F) : glm::vec3(0.5F, 0.25F, 0.125F * static_cast<float>(face));
+        });
+    }
+    return {.source = cube, .rotation_degrees = -40.0};
+}
+
+/// E/π of a surface with that normal, by a sum over polar angle and azimuth.
+glm::dvec3 quadrature(const SkyLookup& sky, const glm::dvec3& normal) {
+    const int steps = test::amount(300, 60);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < steps; ++i) {
+        const double polar = std::numbers::pi * (i + 0.5) / steps;
+        for (int j = 0; j < 2 * steps; ++j) {
+            const double around = std::numbers::pi * (j + 0.5) / steps;
+            const glm::dvec3 direction(std::sin(polar) * std::cos(around), std::cos(polar),
+                                       std::sin(polar) * std::sin(around));
+            const double cosine = glm::dot(direction, normal);
+            if (cosine > 0.0) {
+                sum += std::sin(polar) * cosine * glm::dvec3(radiance(sky, glm::vec3(direction)));
+            }
+        }
+    }
+    return sum * (std::numbers::pi / (1.0 * steps * steps));
+}
+
+/// What the peaks add to it, by a sequence of low discrepancy (M. Roberts's R2).
+glm::dvec3 of_peaks(const SkyPeaks& peaks, const glm::dvec3& normal) {
+    const int count = test::amount(1'000'000, 20'000);
+    glm::dvec3 sum(0.0);
+    double u = 0.5;
+    double v = 0.5;
+    for (int i = 0; i < count; ++i) {
+        u = u + 0.7548776662466927 < 1.0 ? u + 0.7548776662466927 : u + 0.7548776662466927 - 1.0;
+        v = v + 0.5698402909980532 < 1.0 ? v + 0.5698402909980532 : v + 0.5698402909980532 - 1.0;
+        const SkyPeaks::Sample sample = peaks.sample(u, v);
+        sum += std::max(glm::dot(normal, glm::dvec3(sample.direction)), 0.0) * glm::dvec3(sample.light);
+    }
+    return sum / (1.0 * count);
+}
+
+TEST(SkyPeaks, WithTheRestGiveTheLightOfTheWhole) {
+    for (const Sky& sky : {panorama_with_suns(), cube_with_suns()}) {
+        const SkyLookup whole = make_sky_lookup(sky);
+        SkyLookup rest = whole;
+        const PeakCut cut = find_peaks(whole);
+        ASSERT_TRUE(cut.worthwhile());
+        const SkyPeaks peaks(rest, cut.threshold);
+        for (const glm::dvec3& direction :
+             {glm::dvec3(0, 1, 0), glm::dvec3(1, 0.2, 0), glm::dvec3(-0.3, 0.4, 1), glm::dvec3(0.5, -1, 0.7)}) {
+            const glm::dvec3 normal = glm::normalize(direction);
+            const glm::dvec3 expected = quadrature(whole, normal);
+            const glm::dvec3 found = quadrature(rest, normal) + of_peaks(peaks, normal);
+            for (int channel = 0; channel < 3; ++channel) {
+                EXPECT_NEAR(found[channel], expected[channel], test::amount(2e-3, 3e-2) * glm::length(expected));
+            }
+        }
+    }
+}
+
+TEST(SkyPeaks, LeaveNothingAboveTheThreshold) {
+    SkyLookup sky = make_sky_lookup(panorama_with_suns());
+    const PeakCut cut = find_peaks(sky);
+    const SkyPeaks peaks(sky, cut.threshold);
+    EXPECT_GE(peaks.count(), 5U);
+    EXPECT_NEAR(glm::length(peaks.sample(0.3, 0.6).direction), 1.0F, 1e-6F);
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        const auto number = [&](std::uint64_t part) {
+            return static_cast<double>(mix64(3 * i + part) >> 11U) * 0x1p-52;
+        };
+        const glm::dvec3 direction = glm::normalize(glm::dvec3(number(0), number(1), number(2)) - 1.0);
+        EXPECT_LE(luminance(glm::dvec3(radiance(sky, glm::vec3(direction)))), cut.threshold * (1.0 + 1e-6));
+    }
+}
+
+TEST(SkyPeaks, AreFoundBySolidAngleAndLight) {
+    // One texel of 64 × 32 is the sun, 10⁵ times as bright as all others, which are 1.
+    const int row = 9;
+    const Sky sky{.source = EquirectangularSky{
+                      image_of(64, 32, [&](int x, int y) { return glm::vec3(x == 40 && y == row ? 1e5F : 1.0F); })}};
+    const PeakCut cut = find_peaks(make_sky_lookup(sky));
+    const double texel = 2.0 * std::numbers::pi / 64 * std::numbers::pi / 32 *
+                         std::sin(std::numbers::pi * (row + 0.5) / 32) / (4.0 * std::numbers::pi);
+    EXPECT_NEAR(cut.solid_share, texel, 0.01 * texel);
+    EXPECT_NEAR(cut.light_share, 1e5 * texel / (1e5 * texel + 1.0), 0.01);
+    EXPECT_TRUE(cut.worthwhile());
+}
+
+TEST(SkyPeaks, AreNotMadeOfSmoothSkies) {
+    const auto worthwhile = [](const Sky& sky) { return find_peaks(make_sky_lookup(sky)).worthwhile(); };
+    EXPECT_FALSE(worthwhile({.source = ConstantSky{}}));
+    EXPECT_FALSE(worthwhile({.source = ClearSky{}}));
+    EXPECT_FALSE(
+        worthwhile({.source = EquirectangularSky{image_of(32, 16, [](int, int) { return glm::vec3(3.0F); })}}));
+    EXPECT_FALSE(
+        worthwhile({.source = EquirectangularSky{image_of(32, 16, [](int, int) { return glm::vec3(0.0F); })}}));
+    EXPECT_FALSE(worthwhile({.source = EquirectangularSky{image_of(32, 16, [](int, int y) {
+                                 return glm::vec3(y < 8 ? 1.0F + 0.2F * static_cast<float>(y) : 0.1F);
+                             })}}));
+    EXPECT_FALSE(worthwhile({.source = EquirectangularSky{image_of(8, 4, [](int x, int) { // too coarse
+                                 return glm::vec3(x == 3 ? 1000.0F : 1.0F);
+                             })}}));
+}
+
+TEST(SkyPeaks, SamplesComeAsOftenAsTheirProbabilitySays) {
+    // Both χ² tests of two skies: Šidák's correction for four.
+    const double level = test::corrected_level(1e-4, 4);
+    std::uint64_t key = 0;
+    for (const Sky& sky : {panorama_with_suns(), cube_with_suns()}) {
+        SkyLookup lookup = make_sky_lookup(sky);
+        const SkyPeaks peaks(lookup, find_peaks(lookup).threshold);
+        std::vector<double> counts(peaks.count(), 0.0);
+        const int samples = test::amount(200'000, 20'000);
+        std::array<std::uint32_t, 16> quarters{};
+        for (int i = 0; i < samples; ++i) {
+            const auto number = [&] { return (static_cast<double>(mix64(++key) >> 11U) + 0.5) * 0x1p-53; };
+            const double u = number();
+            const double v = number();
+            counts[peaks.sample(u, v).peak] += 1.0;
+            ++quarters[static_cast<std::size_t>(4.0 * u) + 4 * static_cast<std::size_t>(4.0 * v)];
+        }
+        double statistic = 0.0;
+        double whole = 0.0;
+        for (std::size_t peak = 0; peak < counts.size(); ++peak) {
+            const double expected = peaks.probability(peak) * samples;
+            ASSERT_GT(expected, 5.0);
+            statistic += (counts[peak] - expected) * (counts[peak] - expected) / expected;
+            whole += peaks.probability(peak);
+        }
+        EXPECT_NEAR(whole, 1.0, 1e-12);
+        EXPECT_GT(test::chi_squared_tail(statistic, static_cast<double>(counts.size() - 1)), level);
+        EXPECT_GT(test::uniform_p_value(quarters), level); // that the test's own numbers are fair
+    }
+}
+
+TEST(SkyPeaks, SamplesOfATexelFollowItsTent) {
+    const Sky sky{.source = EquirectangularSky{
+                      image_of(32, 16, [](int x, int y) { return glm::vec3(x == 24 && y == 8 ? 1e4F : 0.0F); })}};
+    SkyLookup lookup = make_sky_lookup(sky);
+    const SkyPeaks peaks(lookup, find_peaks(lookup).threshold);
+    ASSERT_EQ(peaks.count(), 1U);
+    constexpr int bins = 20;
+    const int samples = test::amount(100'000, 10'000);
+    std::array<std::array<double, bins>, 2> counts{};
+    for (int i = 0; i < samples; ++i) {
+        const auto number = [&](std::uint64_t part) {
+            return (static_cast<double>(mix64(2 * static_cast<std::uint64_t>(i) + part) >> 11U) + 0.5) * 0x1p-53;
+        };
+        const glm::dvec3 d(peaks.sample(number(0), number(1)).direction);
+        const double x = (std::atan2(d.z, d.x) / (2.0 * std::numbers::pi) + 0.5) * 32.0 - 0.5 - 24.0;
+        const double y = std::acos(d.y) / std::numbers::pi * 16.0 - 0.5 - 8.0;
+        for (const auto& [axis, t] : {std::pair{0, x}, std::pair{1, y}}) {
+            ASSERT_LE(std::abs(t), 1.0 + 1e-4);
+            const auto bin = std::clamp(static_cast<int>((t + 1.0) * bins / 2), 0, bins - 1);
+            counts[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bin)] += 1.0;
+        }
+    }
+    for (const auto& of_axis : counts) {
+        double statistic = 0.0;
+        for (int bin = 0; bin < bins; ++bin) {
+            const double middle = std::abs((bin + 0.5) * 2.0 / bins - 1.0);
+            const double expected = (1.0 - middle) * 2.0 / bins * samples; // of a tent's straight side, exactly
+            const double difference = of_axis[static_cast<std::size_t>(bin)] - expected;
+            statistic += difference * difference / expected;
+        }
+        EXPECT_GT(test::chi_squared_tail(statistic, bins - 1), test::corrected_level(1e-4, 2));
+    }
+}
+
+} // namespace
+} // namespace vkbake
