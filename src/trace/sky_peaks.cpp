@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <locale>
 #include <numbers>
 #include <sstream>
@@ -249,10 +250,10 @@ SkyPeaks::Placed SkyPeaks::place(const Peak& peak, double across, double down) c
         return {glm::normalize(direction), cube_solid_angle(x, y, m_width)};
     }
     // From the texel's centre by no more than a texel: short polynomials do for that.
-    const auto around = turned(m_columns[static_cast<std::size_t>(peak.x + 1)],
+    const auto around = turned(m_columns[static_cast<std::size_t>(std::int64_t{peak.x} + 1)],
                                sine_cosine(across * (2.0 * std::numbers::pi / m_width)));
-    const auto polar =
-        turned(m_rows[static_cast<std::size_t>(peak.y + 1)], sine_cosine(down * (std::numbers::pi / m_height)));
+    const auto polar = turned(m_rows[static_cast<std::size_t>(std::int64_t{peak.y} + 1)],
+                              sine_cosine(down * (std::numbers::pi / m_height)));
     return {{polar.sine * around.cosine, polar.cosine, polar.sine * around.sine},
             panorama_solid_angle(polar.sine, m_width, m_height)};
 }
