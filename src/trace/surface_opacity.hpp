@@ -71,9 +71,9 @@ private:
         const std::vector<glm::vec2>* uvs; ///< null: (0, 0) everywhere
     };
     struct Part {
-        const Primitive* primitive; ///< never null
-        const Material* material;   ///< never null
-        bool transmits;
+        const Primitive* primitive = nullptr; ///< never null
+        const Material* material = nullptr;   ///< never null
+        bool transmits = false;
         std::optional<Layer> color; ///< base colour and alpha
         std::optional<Layer> transmission;
         std::optional<Layer> metallic;

@@ -44,7 +44,7 @@ private:
     /// A triangle on the way that is not opaque, and what gets through.
     struct Entry {
         Hit hit;
-        std::uint32_t rank;
+        std::uint32_t rank = 0;
         Passage passage;
     };
 
