@@ -396,6 +396,23 @@ TEST(Opacity, PunctualLampsAreDimmedAsTheSkyIs) {
     }
 }
 
+TEST(Opacity, ASunInTheSkyIsDimmedAsTheRest) {
+    Image noon{.width = 64, .height = 32, .texels = std::vector<glm::vec4>(64 * 32, glm::vec4(1.0F)), .coverage = {}};
+    noon.texels[noon.index(20, 6)] = glm::vec4(5000.0F, 4000.0F, 3000.0F, 1.0F);
+    const Sky sky{.source = EquirectangularSky{noon}, .name = "noon"};
+    const auto floor_under = [&](const Material& material) {
+        const test::HostBake bake = test::bake_on_host(floor_in_boxes({material}), sky, settings_of());
+        EXPECT_GT(bake.maps[0].statistics.peak_rays, 0U); // it is sampled on its own
+        return floor_light(bake.maps[0].image);
+    };
+    const std::vector<glm::dvec3> bare = floor_under(mask(0.25F, 0.5F));
+    const std::vector<glm::dvec3> dimmed = floor_under({.base_color = {1.0F, 0.5F, 0.25F, 1.0F}, .transmission = 0.5F});
+    ASSERT_EQ(dimmed.size(), bare.size());
+    for (std::size_t texel = 0; texel < bare.size(); ++texel) {
+        ASSERT_LT(glm::length(dimmed[texel] - glm::dvec3(0.5, 0.25, 0.125) * bare[texel]), 1e-5);
+    }
+}
+
 TEST(Opacity, LampsShineThroughWhatLiesBeforeThem) {
     const Material lamp{.base_color = glm::vec4(0, 0, 0, 1), .emissive = {4.0F, 2.0F, 1.0F}};
     const std::vector<glm::dvec3> bare = lamp_light(std::nullopt, lamp);
