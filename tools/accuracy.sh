@@ -12,7 +12,7 @@ if [ ${#scenes[@]} -eq 0 ]; then
     scenes=(scenes/*.glb scenes/objects/*.glb)
 fi
 tools/setup.sh
-cmake --preset release -DVKBAKE_TOOLS=ON >/dev/null
+cmake --preset release -DVKBAKE_TOOLS=ON -DVKBAKE_BENCHMARKS=ON >/dev/null
 cmake --build --preset release --target vkbake_accuracy >/dev/null
 echo "$(nproc) cores, $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2 | xargs); commit $(git rev-parse --short HEAD 2>/dev/null || echo unknown)"
 echo

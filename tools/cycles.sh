@@ -9,7 +9,7 @@ sky=${2:+$(realpath "$2")}
 cd "$(dirname "$0")/.."
 
 tools/setup.sh
-cmake --preset release -DVKBAKE_TOOLS=ON >/dev/null
+cmake --preset release -DVKBAKE_TOOLS=ON -DVKBAKE_BENCHMARKS=ON >/dev/null
 cmake --build --preset release --target vkbake_against_cycles vkbake >/dev/null
 cases=()
 for scene in "$folder"/*.glb; do

@@ -107,7 +107,7 @@ TEST_F(Cli, TheSameBytesWhateverTheThreadsAndAccelerator) {
 TEST_F(Cli, ComparesAndJudges) {
     ASSERT_EQ(quick_bake("a").status, 0);
     ASSERT_EQ(quick_bake("b", {"--seed", "7"}).status, 0);
-    ASSERT_EQ(quick_bake("half", {"--size", "32"}).status, 0);
+    ASSERT_EQ(quick_bake("quarter", {"--size", "16"}).status, 0);
     const std::string a = in_folder("a/lightmaps/lightmap.exr");
     const std::string b = in_folder("b/lightmaps/lightmap.exr");
     EXPECT_EQ(run_vkbake({"compare", a, a, "--max-error", "0"}).status, 0);
@@ -115,7 +115,7 @@ TEST_F(Cli, ComparesAndJudges) {
     EXPECT_EQ(loose.status, 0) << loose.out << loose.error;
     EXPECT_TRUE(fs::exists(m_folder / "d.png"));
     EXPECT_EQ(run_vkbake({"compare", a, b, "--max-error", "1e-6"}).status, 1);
-    EXPECT_EQ(run_vkbake({"compare", a, in_folder("half/lightmaps/lightmap.exr")}).status, 3);
+    EXPECT_EQ(run_vkbake({"compare", a, in_folder("quarter/lightmaps/lightmap.exr")}).status, 3);
     const Outcome json = run_vkbake({"compare", a, b, "--json"});
     EXPECT_EQ(json.out.front(), '{');
     EXPECT_NE(json.out.find("\"relative_root_mean_square\""), std::string::npos);

@@ -94,7 +94,8 @@ TEST_F(Faults, ADeviceThatHangsIsLeftByCtrlC) {
 
 TEST_F(Faults, FilesThatAreBeingWrittenAreTakenBackAtCtrlC) {
     const auto a_file_more = [this](const std::string& /*said*/) { return files().size() > m_before.size(); };
-    expect_refused(bake("1024", {.interrupt_when = a_file_more}), 130, "interrupted; nothing was written");
+    const std::string size = std::to_string(amount(1024, 256));
+    expect_refused(bake(size, {.interrupt_when = a_file_more}), 130, "interrupted; nothing was written");
 }
 
 /// Whatever it is at: loading, the atlas, tracing.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "amount.hpp"
 #include "process.hpp"
 
 namespace vkbake::test {
@@ -33,8 +34,8 @@ protected:
 
     /// A quick bake of a small scene into `output`, with further flags.
     [[nodiscard]] Outcome quick_bake(const std::string& output, std::vector<std::string> flags = {}) const {
-        std::vector<std::string> arguments{
-            "bake", scene("test/corner.glb"), "-o", in_folder(output), "--size", "64", "--rays", "32"};
+        std::vector<std::string> arguments{"bake",   scene("test/corner.glb"), "-o",     in_folder(output),
+                                           "--size", amount("64", "32"),       "--rays", "32"};
         arguments.insert(arguments.end(), flags.begin(), flags.end());
         return run_vkbake(arguments, {.directory = m_folder.string()});
     }

@@ -255,7 +255,7 @@ TEST(Lamps, GiveTheSameBitsHoweverTheyAreTraced) {
     const std::vector<Lamp> lamps = many_lamps();
     std::vector<Lamp> reversed = lamps;
     std::ranges::reverse(reversed);
-    Settings settings = with_rays(50);
+    Settings settings = with_rays(test::amount(50U, 10U));
     settings.accelerator = Accelerator::brute;
     settings.threads = 1;
     const LightMap oracle = Tracer(surface, {}, settings, lamps).trace(geometry);

@@ -46,7 +46,7 @@ TEST(Visibility, NothingConvexDarkensItselfAtAnyScaleOrPlace) {
                                                                 {"sphere", sphere_of(0.5F)},
                                                                 {"box", box_of(glm::vec3(-0.5F), glm::vec3(0.5F))},
                                                                 {"dome", dome_of(16)}};
-    const Settings settings = small_settings(amount(48, 24), amount(64, 16));
+    const Settings settings = small_settings(amount(48, 24), amount(64, 8));
     for (const auto& [name, shape] : shapes) {
         for (const double size : {1e-6, 0.37, 1.0, 1e6}) {
             for (const double offset : {0.0, 1.0 / 3.0, 1e4, 1e7}) {
@@ -129,7 +129,7 @@ TEST(Visibility, ContactsOcclude) {
             const glm::dmat3 linear = (turned ? odd_rotation() : glm::dmat3(1.0)) * size;
             Scene scene = scene_of(floor_of(0.5F), {}, linear);
             add_object(scene, "plate", floor_of(0.25F, 1e-4F), {}, linear);
-            Settings settings = small_settings(64, 64);
+            Settings settings = small_settings(64, amount(64, 16));
             settings.layout = Layout::object;
             const HostBake bake = bake_on_host(scene, {}, settings);
             EXPECT_EQ(bake.maps.at(1).statistics.occluded_rays, 0U); // the plate looks up

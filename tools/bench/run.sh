@@ -18,7 +18,7 @@ if [ ${#sizes[@]} -eq 0 ]; then
 fi
 
 tools/setup.sh
-cmake --preset release -DVKBAKE_TOOLS=ON -DCMAKE_UNITY_BUILD=ON >/dev/null
+cmake --preset release -DVKBAKE_TOOLS=ON -DVKBAKE_BENCHMARKS=ON -DCMAKE_UNITY_BUILD=ON >/dev/null
 cmake --build --preset release --target make_scenes vkbake_bench_rays vkbake_bench_summary >/dev/null
 tools=build/release/tools
 made=build/release/bench-scenes
