@@ -248,6 +248,7 @@ TEST(Lamps, GiveTheSameBitsHoweverTheyAreTraced) {
     maker.add_box({0.2F, 0.0F, -0.2F}, {0.3F, 0.5F, 0.1F}, false);
     const Surface surface = maker.finish(test::lit_exponent);
     std::vector<test::SamplePoint> points;
+    points.reserve(150);
     for (int i = 0; i < 150; ++i) {
         points.push_back(test::point_on(surface, floor, {0.6 - 0.004 * i, 0.3, 0.1 + 0.004 * i}));
     }

@@ -276,8 +276,7 @@ Scene leafy_scene() {
                                 std::cos(turn));
         test::add_object(scene, "card", with_uvs(test::floor_of(0.9F), 3.0F),
                          {0.4 * card - 2.4, 1.8 + 0.05 * card, 0.3 * (card % 5) - 0.6}, linear);
-        Material material = materials[static_cast<std::size_t>(card % 3)];
-        test::paint(scene, scene.meshes.size() - 1, material);
+        test::paint(scene, scene.meshes.size() - 1, materials[static_cast<std::size_t>(card % 3)]);
     }
     return scene;
 }

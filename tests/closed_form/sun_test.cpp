@@ -70,7 +70,8 @@ Yard make_yard(bool with_block) {
     const int side = test::amount(16, 8);
     for (int i = 0; i < side * side; ++i) {
         const double a = (i % side + 0.5) / side;
-        const double b = (1.0 - a) * (i / side + 0.5) / side;
+        const int row = i / side;
+        const double b = (1.0 - a) * (row + 0.5) / side;
         points.push_back(test::point_on(yard.surface, floor + (i % 2 == 0 ? 0U : 1U), {a, b, 1.0 - a - b}));
     }
     yard.geometry = test::geometry_image(points, side);
