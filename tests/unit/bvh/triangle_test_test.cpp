@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "amount.hpp"
 #include "unit/bvh/double_reference.hpp"
 
 namespace vkbake::test {
@@ -83,7 +84,7 @@ TEST(WatertightTest, BruteForceFindsWhatDoublePrecisionFinds) {
     const TriangleAccelerator accelerator = accelerate(triangles, Accelerator::brute);
     Random random(25);
     int differences = 0;
-    for (int i = 0; i < 8000; ++i) {
+    for (int i = 0; i < amount(8000, 1000); ++i) {
         const Ray ray{random.point(), random.direction()};
         double nearest = std::numeric_limits<double>::infinity();
         std::size_t found = 0;
