@@ -80,7 +80,7 @@ ColorTexture make_color_texture(int width, int height, std::span<const std::uint
 }
 
 glm::vec3 color_at(const ColorTexture& texture, const TextureUse& use, const glm::vec2& uv) {
-    const glm::vec2 at = transformed(use, uv);
+    const glm::vec2 at(TextureTransform(use)(uv));
     const int x = wrapped(at.x, use.wrap_u, texture.width);
     const int y = wrapped(at.y, use.wrap_v, texture.height);
     return texture

@@ -36,7 +36,7 @@ glm::vec2 uv_of(const Primitive& primitive, const TextureUse* use, std::size_t v
         return glm::vec2(0.0F);
     }
     const std::vector<glm::vec2>& set = primitive.tex_coords[use->tex_coord];
-    return vertex < set.size() ? transformed(*use, set[vertex]) : glm::vec2(0.0F);
+    return vertex < set.size() ? glm::vec2(TextureTransform(*use)(set[vertex])) : glm::vec2(0.0F);
 }
 
 void make_ready(Piece& piece, const Camera& camera, const std::string& scene_name) {

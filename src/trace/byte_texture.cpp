@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "base/elementary.hpp"
 #include "base/srgb.hpp"
 
 namespace vkbake {
@@ -119,13 +117,7 @@ ByteValues srgb_values() {
 }
 
 TextureSampler::TextureSampler(const TextureUse& use)
-    : m_offset(use.offset), m_wrap{use.wrap_u, use.wrap_v}, m_filter(use.filter) {
-    const SineCosine turn = sine_cosine_degrees(static_cast<double>(use.rotation) * (180.0 / std::numbers::pi));
-    const glm::dvec2 scale(use.scale);
-    // Counter-clockwise as one looks at the picture: v points down.
-    m_matrix[0] = scale.x * glm::dvec2(turn.cosine, -turn.sine);
-    m_matrix[1] = scale.y * glm::dvec2(turn.sine, turn.cosine);
-}
+    : m_transform(use), m_wrap{use.wrap_u, use.wrap_v}, m_filter(use.filter) {}
 
 float TextureSampler::value(const ByteTexture& texture, const ByteValues& values, const glm::dvec2& place) const {
     const Taps columns = taps(place.x, m_wrap[0], m_filter, texture.width);

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
+#include "base/texture_transform.hpp"
 #include "vkbake/scene.hpp"
 
 namespace vkbake {
@@ -46,7 +46,7 @@ public:
     explicit TextureSampler(const TextureUse& use);
 
     /// KHR_texture_transform: where in the picture, (0, 0) its upper left corner, (1, 1) its lower right.
-    [[nodiscard]] glm::dvec2 place(const glm::dvec2& uv) const { return m_offset + m_matrix * uv; }
+    [[nodiscard]] glm::dvec2 place(const glm::dvec2& uv) const { return m_transform(uv); }
     /// At a place: the texel that it lies in, or what is interpolated between the four around it, as the sampler says
     /// of magnification; 0 … 1. Linear values are never outside what these have (differences of bytes are exact, and
     /// rounding is monotone). A place that is not finite, or 2³⁰ or more away: the first texel.
@@ -62,8 +62,7 @@ public:
     [[nodiscard]] std::array<Span, 2> touched(int axis, double low, double high, int size) const;
 
 private:
-    glm::dmat2 m_matrix{1.0};
-    glm::dvec2 m_offset{0.0};
+    TextureTransform m_transform;
     std::array<Wrap, 2> m_wrap{};
     Filter m_filter = Filter::linear;
 };

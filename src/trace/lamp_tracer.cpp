@@ -244,10 +244,7 @@ void LampTracer::trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* 
                 luminance_seen = luminance(light);
             }
             if (parts != nullptr) {
-                const std::uint32_t part = m_indices.of[stratum][lane] >> shift;
-                if (part < part_count) { // those beyond a power of two belong to none
-                    parts->luminance[part][lane] += luminance_seen * disc.strength[lane] * weight;
-                }
+                parts->add(lane, m_indices.of[stratum][lane], shift, luminance_seen * disc.strength[lane] * weight);
             }
         }
     }

@@ -75,10 +75,7 @@ void PeakTracer::trace(LaneParts* parts) {
                 glm::dvec3(m_scratch.transmittance(stratum, lane)) * glm::dvec3(m_light[stratum][lane]);
             m_sums[lane] += light;
             if (parts != nullptr) {
-                const std::uint32_t part = m_indices.of[stratum][lane] >> shift;
-                if (part < part_count) { // those beyond a power of two belong to none
-                    parts->luminance[part][lane] += luminance(light);
-                }
+                parts->add(lane, m_indices.of[stratum][lane], shift, luminance(light));
             }
         }
     }

@@ -94,10 +94,7 @@ void TileTracer::add_dimmed(const RayBlock& block, const RayPlan::Weights& weigh
 }
 
 void TileTracer::add_to_part(std::size_t stratum, std::size_t lane, double luminance) {
-    const std::uint32_t part = m_indices.of[stratum][lane] >> part_shift(m_plan->samples());
-    if (part < part_count) { // those beyond a power of two belong to none
-        m_parts.luminance[part][lane] += luminance;
-    }
+    m_parts.add(lane, m_indices.of[stratum][lane], part_shift(m_plan->samples()), luminance);
     ++m_parts.open[lane];
 }
 

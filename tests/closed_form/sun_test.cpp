@@ -136,12 +136,16 @@ TEST(Sun, IsFoundWhereverTheSkyIsTurned) {
     }
 }
 
+LightMap trace_many(const Yard& yard, const Sky& sky) {
+    Settings settings = rays_of(test::amount(16384U, 2048U), Switch::on);
+    settings.seed = 7;
+    return trace(yard, sky, settings);
+}
+
 TEST(Sun, LeavesATenthOfTheNoiseAtEqualRays) {
     const Yard yard = make_yard(true);
     const Sky sky = sunny_sky(1.0F, 100000.0F);
-    Settings many = rays_of(test::amount(16384U, 2048U), Switch::on);
-    many.seed = 7;
-    const LightMap truth = trace(yard, sky, many);
+    const LightMap truth = trace_many(yard, sky);
     const LightMap whole = trace(yard, sky, rays_of(512, Switch::off));
     const LightMap parted = trace(yard, sky, rays_of(256, Switch::on));
     EXPECT_EQ(whole.statistics.peak_rays, 0U);
@@ -152,15 +156,13 @@ TEST(Sun, LeavesATenthOfTheNoiseAtEqualRays) {
 TEST(Sun, EstimatesCountItsNoise) {
     const Yard yard = make_yard(true);
     const Sky sky = sunny_sky(1.0F, 100000.0F);
-    Settings settings = rays_of(test::amount(16384U, 2048U), Switch::on);
-    settings.seed = 7;
-    const LightMap truth = trace(yard, sky, settings);
+    const LightMap truth = trace_many(yard, sky);
+    Settings settings = rays_of(64, Switch::on);
+    settings.estimate_error = true;
     double real = 0.0;
     double estimated = 0.0;
     for (std::uint64_t seed = 100; seed < 100 + test::amount<std::uint64_t>(8, 3); ++seed) {
-        settings = rays_of(64, Switch::on);
         settings.seed = seed;
-        settings.estimate_error = true;
         const LightMap map = trace(yard, sky, settings);
         const double difference = rms_difference(map, truth);
         real += difference * difference;

@@ -1,6 +1,6 @@
 // A bake beside the map that another renderer made of the same scene, sky and UVs: where both see the same light they
 // agree within their noise. Made for maps of Blender's Cycles, which average over half a texel.
-//   vkbake_against_cycles SCENE REFERENCE SKY|ao RAYS [BOUNCES [DIFFERENCE.png]]
+//   vkbake_against_cycles SCENE REFERENCE SKY|ao RAYS [DIFFERENCE.png]
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -26,9 +26,6 @@ using namespace vkbake;
 constexpr int finer = 8;
 constexpr int first_inside = finer / 4;
 constexpr int last_inside = finer - first_inside;
-
-/// What a reference with bounces was made with: all surfaces alike, and light leaves both of their sides.
-constexpr float albedo = 0.8F;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
@@ -152,33 +149,19 @@ void print(const std::string& name, Agreement result) {
 }
 
 int run(const std::vector<std::string>& arguments) {
-    Scene scene = load_scene(arguments[0]);
+    const Scene scene = load_scene(arguments[0]);
     const Image reference = read_image(arguments[1]);
     Settings settings;
     settings.size = finer * reference.width;
     settings.uv = UvSource::trust; // Blender's smart projection overlaps itself by a twentieth of a texel
     settings.padding = 0;
     settings.rays = static_cast<std::uint32_t>(std::stoul(arguments[3]));
-    settings.bounces = arguments.size() > 4 ? static_cast<std::uint32_t>(std::stoul(arguments[4])) : 0;
     settings.mode = arguments[2] == "ao" ? Mode::ao : Mode::irradiance;
-    if (settings.bounces > 0) {
-        settings.bounce_rays = settings.rays;
-        Material grey;
-        grey.base_color = glm::vec4(glm::vec3(albedo), 1.0F);
-        grey.double_sided = true;
-        scene.materials.assign(std::max<std::size_t>(scene.materials.size(), 1), grey);
-        for (Mesh& mesh : scene.meshes) {
-            for (Primitive& primitive : mesh.primitives) {
-                primitive.colors.clear();
-                primitive.material = 0;
-            }
-        }
-    }
     const Sky sky = settings.mode == Mode::ao ? load_sky("1,1,1") : load_sky(arguments[2]);
     const Bake fine = bake(scene, sky, settings, open_device());
     const Agreement result = compare_with(fine, reference);
-    if (arguments.size() > 5) {
-        write_image(arguments[5], result.picture);
+    if (arguments.size() > 4) {
+        write_image(arguments[4], result.picture);
     }
     print(std::filesystem::path(arguments[1]).stem().string(), result);
     return EXIT_SUCCESS;
@@ -188,10 +171,10 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argument_count, char** arguments) {
     try {
-        if (argument_count >= 5 && argument_count <= 7) {
+        if (argument_count == 5 || argument_count == 6) {
             return run({arguments + 1, arguments + argument_count});
         }
-        fmt::print(stderr, "usage: vkbake_against_cycles SCENE REFERENCE SKY|ao RAYS [BOUNCES [DIFFERENCE.png]]\n");
+        fmt::print(stderr, "usage: vkbake_against_cycles SCENE REFERENCE SKY|ao RAYS [DIFFERENCE.png]\n");
     } catch (const std::exception& error) {
         fmt::print(stderr, "vkbake_against_cycles: {}\n", error.what());
     }

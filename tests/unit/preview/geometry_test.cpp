@@ -136,10 +136,10 @@ TEST(PreviewGeometry, TextureTransformTurnsCounterClockwiseAsSeen) {
     use.rotation = std::numbers::pi_v<float> / 2.0F;
     use.scale = {2.0F, 3.0F};
     use.offset = {0.25F, 0.5F};
-    const glm::vec2 along_u = vkbake::transformed(use, {1.0F, 0.0F});
+    const glm::vec2 along_u(vkbake::TextureTransform(use)({1.0, 0.0}));
     EXPECT_NEAR(along_u.x, 0.25F, 1e-6F);
     EXPECT_NEAR(along_u.y, 0.5F - 2.0F, 1e-6F);
-    const glm::vec2 along_v = vkbake::transformed(use, {0.0F, 1.0F});
+    const glm::vec2 along_v(vkbake::TextureTransform(use)({0.0, 1.0}));
     EXPECT_NEAR(along_v.x, 0.25F + 3.0F, 1e-6F);
     EXPECT_NEAR(along_v.y, 0.5F, 1e-6F);
 }

@@ -10,7 +10,6 @@
 
 #include "amount.hpp"
 #include "base/random.hpp"
-#include "base/texture_transform.hpp"
 
 namespace vkbake {
 namespace {
@@ -66,8 +65,11 @@ TEST(ByteTexture, LinearBlendsAcrossTheBorderAsItWraps) {
 TEST(ByteTexture, PlacesAreTransformedAsGltfHasIt) {
     const TextureUse use{.offset = {0.25F, -1.5F}, .rotation = 0.7F, .scale = {2.0F, -3.0F}};
     const glm::dvec2 found = TextureSampler(use).place({0.3, 0.9});
-    const glm::vec2 expected = transformed(use, {0.3F, 0.9F});
-    EXPECT_LT(glm::length(found - glm::dvec2(expected)), 1e-6);
+    // KHR_texture_transform: offset · rotation · scale, with its rotation matrix (cos, sin; −sin, cos).
+    const double u = 2.0 * 0.3;
+    const double v = -3.0 * 0.9;
+    EXPECT_NEAR(found.x, 0.25 + std::cos(0.7) * u + std::sin(0.7) * v, 1e-6);
+    EXPECT_NEAR(found.y, -1.5 - std::sin(0.7) * u + std::cos(0.7) * v, 1e-6);
     // A quarter turn: the picture's right lies where its top was.
     const glm::dvec2 turned = TextureSampler({.rotation = std::numbers::pi_v<float> / 2.0F}).place({0.25, 0.0});
     EXPECT_LT(glm::length(turned - glm::dvec2(0.0, -0.25)), 1e-7);
