@@ -2,6 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS vkbake EXPORT vkbakeTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS vkbake_codec LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP) # loaded by libvkbake, beside it
 if(TARGET vkbake_cli)
     set_target_properties(vkbake_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
     install(TARGETS vkbake_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 
 #include <fmt/format.h>
@@ -115,6 +116,25 @@ double writing_seconds(const Settings& settings) {
     return a_texel * settings.size * settings.size;
 }
 
+/// Loads the image codec while rays are traced, which takes other cores and no lock; drivers, in the stages before,
+/// wait for the dynamic linker. A bake that could write nothing ends as soon as that is known.
+class CodecAhead {
+public:
+    void poll(const ProgressReport& report) {
+        if (!m_begun && report.stage == "trace") {
+            m_begun = true;
+            m_loading = std::async(std::launch::async, load_image_codec);
+        }
+        if (m_loading.valid() && m_loading.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+            m_loading.get();
+        }
+    }
+
+private:
+    bool m_begun = false;
+    std::future<void> m_loading;
+};
+
 int run_bake(BakeOptions options) {
     const auto start = std::chrono::steady_clock::now();
     const LightMapFormat format = format_named(options.format);
@@ -133,8 +153,11 @@ int run_bake(BakeOptions options) {
     std::vector<std::filesystem::path> files;
     {
         ProgressLine line(options.quiet);
-        result =
-            bake(scene, sky, settings, device, [&line](const ProgressReport& report) { return line.update(report); });
+        CodecAhead codec;
+        result = bake(scene, sky, settings, device, [&](const ProgressReport& report) {
+            codec.poll(report);
+            return line.update(report);
+        });
         result.settings.seconds = options.settings.seconds;
         stop_on_interrupt();
         files = write_bake(scene, result, {.directory = options.output, .format = format, .command = options.command},

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "imageio/samples.hpp"
+#include "codec/codec.hpp"
 #include "vkbake/image.hpp"
 
 namespace vkbake {

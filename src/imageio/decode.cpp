@@ -4,7 +4,7 @@
 #include <string>
 
 #include "imageio/channels.hpp"
-#include "imageio/samples.hpp"
+#include "imageio/load_codec.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -20,7 +20,7 @@ std::string message_name(const EncodedImage& image) {
 
 std::optional<ImageSize> size_of(const EncodedImage& image) {
     try {
-        const auto [width, height] = read_size(image.bytes, message_name(image), texture_limits);
+        const auto [width, height] = codec().read_size(image.bytes, message_name(image), texture_limits);
         return ImageSize{width, height};
     } catch (const Error&) {
         return std::nullopt;
@@ -28,7 +28,7 @@ std::optional<ImageSize> size_of(const EncodedImage& image) {
 }
 
 Rgba8Image decode_rgba8(const EncodedImage& image) {
-    const auto samples = read_samples<std::uint8_t>(image.bytes, message_name(image), texture_limits);
+    const auto samples = codec().read_bytes(image.bytes, message_name(image), texture_limits);
     const ChannelPlaces places = find_channels(samples.channels);
     const std::size_t stride = samples.channels.size();
     Rgba8Image result{samples.width, samples.height, {}};
@@ -44,7 +44,7 @@ Rgba8Image decode_rgba8(const EncodedImage& image) {
 }
 
 Image decode_image(const EncodedImage& image) {
-    const auto samples = read_samples<float>(image.bytes, message_name(image), texture_limits);
+    const auto samples = codec().read_floats(image.bytes, message_name(image), texture_limits);
     return to_image(samples, samples.integer ? Transfer::srgb : Transfer::linear);
 }
 

@@ -1,4 +1,4 @@
-#include "imageio/exr_header.hpp"
+#include "codec/exr_header.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "imageio/samples.hpp"
+#include "codec/read.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include "imageio/exr_header.hpp"
+#include "codec/exr_header.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
