@@ -8,6 +8,8 @@ if(TARGET vkbake_cli)
     install(TARGETS vkbake_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY include/vkbake DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# What renderers include to evaluate directional maps and light probes.
+install(FILES shaders/glsl/shared/vkbake_light.h DESTINATION ${CMAKE_INSTALL_DATADIR}/vkbake/glsl)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vkbake)
 install(EXPORT vkbakeTargets NAMESPACE vkbake:: DESTINATION ${package_folder})

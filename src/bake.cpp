@@ -1,4 +1,6 @@
 // The pipeline: its stages in order, and nothing else.
+#include <algorithm>
+
 #include "atlas/make_atlas.hpp"
 #include "base/boundary.hpp"
 #include "bounces.hpp"
@@ -63,15 +65,23 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     }
     add_notes(tracer.notes());
     add_notes(note_lamps(scene, bake));
+    SentLight sent;
     if (settings.bounces > 0) {
-        add_bounces(scene, tracer, draw, clock, bake);
+        sent = add_bounces(scene, tracer, draw, clock, bake);
     }
+    if (settings.directional == Switch::on) {
+        add_directional(tracer, sent, draw, clock, bake);
+    }
+    sent = {};
     geometry = {}; // two thirds of the page's memory, which the next steps need
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
         LightMap& map = bake.light_maps[page];
-        map.statistics.filled_texels =
-            clock.run("finish", [&] { return dilate(device.context(), map.image, {.rounds = settings.padding}); });
+        const auto pad = [&](Image& image) { return dilate(device.context(), image, {.rounds = settings.padding}); };
+        map.statistics.filled_texels = clock.run("finish", [&] {
+            std::ranges::for_each(map.directional, pad);
+            return pad(map.image);
+        });
     }
     bake.stages = clock.seconds();
     return bake;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "imageio/decode.hpp"
 #include "material/color_texture.hpp"
 #include "material/surface_colors.hpp"
+#include "trace/directional_map.hpp"
 #include "trace/surface_light.hpp"
 
 namespace vkbake {
@@ -65,16 +67,29 @@ void add(const LightMap& gathered, LightMap& map) {
     map.statistics.seconds += gathered.statistics.seconds;
 }
 
-} // namespace
-
-void add_bounces(const Scene& scene, const Tracer& tracer, const std::function<const GeometryImage&(std::size_t)>& draw,
-                 StageClock& clock, Bake& bake) {
-    if (!reflects(scene) && !emits(scene)) {
-        bake.notes.push_back(scene.name + ": no surface reflects or emits light; nothing was traced for bounces");
+/// Adds light to what has been sent, of which there may be nothing yet.
+void add(const std::vector<LeavingLight>& lights, std::vector<LeavingLight>& sent) {
+    if (sent.empty()) {
+        sent = lights;
         return;
     }
+    for (std::size_t page = 0; page < lights.size(); ++page) {
+        std::transform(lights[page].radiance.begin(), lights[page].radiance.end(), sent[page].radiance.begin(),
+                       sent[page].radiance.begin(), std::plus<>());
+    }
+}
+
+} // namespace
+
+SentLight add_bounces(const Scene& scene, const Tracer& tracer,
+                      const std::function<const GeometryImage&(std::size_t)>& draw, StageClock& clock, Bake& bake) {
+    SentLight sent;
+    if (!reflects(scene) && !emits(scene)) {
+        bake.notes.push_back(scene.name + ": no surface reflects or emits light; nothing was traced for bounces");
+        return sent;
+    }
     const std::size_t pages = bake.light_maps.size();
-    const std::vector<std::uint8_t> two_sided = two_sided_parts(scene, bake.surface);
+    sent.two_sided = two_sided_parts(scene, bake.surface);
     std::vector<SurfaceColors> colors;
     std::vector<LeavingLight> lights;
     clock.run("surface colors", [&] {
@@ -86,7 +101,10 @@ void add_bounces(const Scene& scene, const Tracer& tracer, const std::function<c
         return 0;
     });
     for (std::uint32_t bounce = 1; bounce <= bake.settings.bounces; ++bounce) {
-        const SurfaceLight light(bake.surface, bake.atlas, lights, two_sided);
+        if (bake.settings.directional == Switch::on) {
+            add(lights, sent.pages);
+        }
+        const SurfaceLight light(bake.surface, bake.atlas, lights, sent.two_sided);
         std::vector<LeavingLight> next;
         for (std::size_t page = 0; page < pages; ++page) {
             clock.begin_page((bounce - 1) * pages + page, bake.settings.bounces * pages);
@@ -96,6 +114,27 @@ void add_bounces(const Scene& scene, const Tracer& tracer, const std::function<c
             next.push_back(leaving(gathered.image, colors[page], false));
         }
         lights = std::move(next);
+    }
+    return sent;
+}
+
+void add_directional(const Tracer& tracer, const SentLight& sent,
+                     const std::function<const GeometryImage&(std::size_t)>& draw, StageClock& clock, Bake& bake) {
+    const std::size_t pages = bake.light_maps.size();
+    std::optional<SurfaceLight> light;
+    if (!sent.pages.empty()) {
+        light.emplace(bake.surface, bake.atlas, sent.pages, sent.two_sided);
+    }
+    for (std::size_t page = 0; page < pages; ++page) {
+        clock.begin_page(page, pages);
+        DirectionalMap map = clock.run("directional", [&] {
+            return trace_directional(tracer, draw(page), light ? &*light : nullptr,
+                                     clock.trace_progress("directional"));
+        });
+        LightMap& of = bake.light_maps[page];
+        of.directional = std::move(map.coefficients);
+        of.statistics.directional_rays = map.rays;
+        of.statistics.seconds += map.seconds;
     }
 }
 

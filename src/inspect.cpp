@@ -117,9 +117,13 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
     const bool bounced = settings.bounces > 0 && (reflects(scene) || emits(scene));
     const bool has_sun = std::ranges::any_of(
         inspection.plan, [](const PlanEntry& entry) { return entry.phenomenon == "sun" && entry.modelled; });
+    const std::uint64_t directional_rays =
+        settings.directional == Switch::on
+            ? (has_sun ? 2 : 1) * settings.directional_rays + rays_to_lamps(scene, settings, settings.directional_rays)
+            : 0;
     inspection.rays = inspection.covered_texels *
                       ((has_sun ? 2 : 1) * rays(settings.rays) + rays_to_lamps(scene, settings, rays(settings.rays)) +
-                       (bounced ? settings.bounces * rays(settings.bounce_rays) : 0));
+                       (bounced ? settings.bounces * rays(settings.bounce_rays) : 0) + directional_rays);
 }
 
 Inspection inspect_scene(const Scene& scene, const Settings& settings, const Sky& sky) {

@@ -25,6 +25,9 @@ constexpr std::uint64_t map_texel_bytes = 29;
 /// Of every map while bounces are traced: albedo and emission 24, the light that leaves now and after the next
 /// bounce 26.
 constexpr std::uint64_t bounce_texel_bytes = 50;
+/// Of every map with directions: four pictures of RGBA; while they are traced with bounces, what these sent 13.
+constexpr std::uint64_t directional_texel_bytes = 64;
+constexpr std::uint64_t sent_texel_bytes = 13;
 /// Of the one map that is worked on: its geometry image 40 and tiles 9, or its file as it is encoded.
 constexpr std::uint64_t work_texel_bytes = 52;
 /// Where errors are estimated: standard error and rays of every map, and of the one that is worked on each texel's
@@ -105,6 +108,7 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
             .maps = maps.value_or(settings.layout == Layout::object ? objects : 1),
             .size = settings.size,
             .bounces = settings.bounces > 0,
+            .directional = settings.directional == Switch::on,
             .estimated = settings.estimate_error || settings.target_error || settings.seconds};
 }
 
@@ -112,9 +116,12 @@ std::uint64_t peak_memory(const MemoryNeed& need) {
     const auto side = static_cast<std::uint64_t>(std::max(need.size, 1));
     const std::uint64_t estimates =
         need.estimated ? estimated_map_texel_bytes * need.maps + estimated_work_texel_bytes : 0;
+    const std::uint64_t directions =
+        need.directional ? directional_texel_bytes + (need.bounces ? sent_texel_bytes : 0) : 0;
     return program_bytes + need.held + sky_texel_bytes * need.sky_texels + triangle_bytes * need.triangles +
            need.opacity +
-           ((map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0)) * need.maps + work_texel_bytes + estimates) *
+           ((map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0) + directions) * need.maps + work_texel_bytes +
+            estimates) *
                texels_of(side) +
            tile_texel_bytes * texels_of(std::min(side, tile_side));
 }

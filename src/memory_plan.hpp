@@ -17,9 +17,10 @@ struct MemoryNeed {
     std::uint64_t triangles = 0;  ///< over all instances
     std::uint64_t opacity = 0;    ///< bytes: opacity_bytes()
     std::uint64_t maps = 1;
-    int size = 1;           ///< side of each map, texels
-    bool bounces = false;   ///< whether light is followed from surface to surface
-    bool estimated = false; ///< with the texels' errors
+    int size = 1;             ///< side of each map, texels
+    bool bounces = false;     ///< whether light is followed from surface to surface
+    bool directional = false; ///< with maps of where light comes from
+    bool estimated = false;   ///< with the texels' errors
 };
 
 /// Of a bake of that scene into `maps` of settings.size; absent: as many as there are at least.

@@ -117,6 +117,14 @@ PlanEntry plan_bounces(const Scene& scene, const Settings& settings) {
                 " of the first's"};
 }
 
+PlanEntry plan_directional(const Settings& settings) {
+    if (settings.directional == Switch::off) {
+        return {"directions", false, "not asked for (--directional on), for renderers with normal maps"};
+    }
+    return {"directions", true,
+            "four maps beside each light map, " + rays_text(settings.directional_rays, Sampler::cosine) + " more"};
+}
+
 PlanEntry plan_emission(const Scene& scene, const Settings& settings) {
     if (!emits(scene)) {
         return {"emission", false, "no surface emits"};
@@ -174,6 +182,7 @@ std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings, c
                                       plan_lamps(scene, settings),
                                       plan_bounces(scene, settings),
                                       plan_emission(scene, settings),
+                                      plan_directional(settings),
                                       plan_textures(scene, settings),
                                       plan_alpha(scene, settings)};
     });

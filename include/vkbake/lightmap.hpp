@@ -25,6 +25,7 @@ struct LightMapStatistics {
     std::uint64_t bounce_rays = 0;        ///< traced beside `rays`, for what surfaces reflect and emit
     std::uint64_t lamp_rays = 0;          ///< traced beside `rays`, towards lamps
     std::uint64_t peak_rays = 0;          ///< traced beside both, towards the sky's brightest places
+    std::uint64_t directional_rays = 0;   ///< traced beside all these, for LightMap::directional
     std::uint64_t filled_texels = 0;      ///< by dilation
     double seconds = 0.0;                 ///< tracing
     /// For each of Scene::lamps the rays that reached it; empty where no lamps were baked.
@@ -49,6 +50,11 @@ struct LightMap {
     std::string name; ///< AtlasPage::name
     Image image;      ///< RGB: E/π or visibility; A: 1 where there is a value to sample; coverage: 1 where baked
     LightMapStatistics statistics;
+    /// Where Settings::directional was on: four images of RGB coefficients, ∫ L Y over the light that arrives from
+    /// above the texel's surface, of the real orthonormal spherical harmonics of world directions: 0.282095,
+    /// 0.488603 y, 0.488603 z, 0.488603 x. A as `image` has it; their coverage is empty, being that of `image`.
+    /// share/vkbake/glsl/vkbake_light.h evaluates them.
+    std::vector<Image> directional;
     // Where Settings::estimate_error was set:
     std::optional<MapError> error;
     /// Row-major as the image's texels; 0 where not baked. Of luminance: the truth lies within ± 2.365 standard errors

@@ -46,6 +46,10 @@ struct Settings {
     /// also brings what surfaces emit. 0 … 64; mode irradiance.
     std::uint32_t bounces = 0;
     std::uint32_t bounce_rays = 64; ///< a texel and bounce; ≥ 1. Sampler `thesis` always takes its own 256
+    /// Whether maps also tell where their light comes from (LightMap::directional), for renderers with normal maps, by
+    /// `directional_rays` more rays a texel. Mode irradiance.
+    Switch directional = Switch::off;
+    std::uint32_t directional_rays = 64; ///< ≥ 1
     Alpha alpha = Alpha::traced;
     /// Relative error that a map is to have: root-mean-square error of luminance ÷ the map's mean, and no more than one
     /// texel in a hundred with a standard error above eight times that. Each texel then gets as many rays as it takes,

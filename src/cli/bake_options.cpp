@@ -78,6 +78,11 @@ void add_light_options(CLI::App& app, Settings& settings) {
     app.add_option("--bounce-rays", settings.bounce_rays, "Rays a texel of each bounce")
         ->check(CLI::Range(1U, 1U << 24U))
         ->capture_default_str();
+    add_choice(app, "--directional", settings.directional,
+               "Write where each texel's light comes from beside the light map, for renderers with normal maps");
+    app.add_option("--directional-rays", settings.directional_rays, "Rays a texel for --directional")
+        ->check(CLI::Range(1U, 1U << 24U))
+        ->capture_default_str();
     add_choice(app, "--alpha", settings.alpha,
                "Let light through where a material's alpha or transmission does, or take all surfaces for whole");
     app.add_option_function<double>(

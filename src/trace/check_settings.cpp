@@ -38,6 +38,11 @@ void check_trace_settings(const Settings& settings) {
     require(settings.bounces <= 64, std::to_string(settings.bounces) + " bounces; give 0 to 64");
     require(settings.bounces == 0 || settings.mode == Mode::irradiance,
             "bounces in mode ao, which has no light; choose mode irradiance or leave them out");
+    require(settings.directional_rays >= 1, "0 directional rays a texel; give 1 or more");
+    require(settings.directional == Switch::off || settings.mode == Mode::irradiance,
+            "directional maps in mode ao, which has no light; choose mode irradiance or leave them out");
+    require(settings.directional == Switch::off || !settings.seconds,
+            "a time and directional maps, whose time it does not share out; give rays or a target error");
     require(settings.triangle_test == TriangleTest::watertight || settings.accelerator != Accelerator::bvh,
             "the triangle test moller_trumbore does not go with the accelerator bvh; choose clusters or brute");
     require(settings.cluster_splits >= 1 && settings.cluster_splits <= 64,

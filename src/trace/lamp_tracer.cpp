@@ -82,9 +82,29 @@ void LampTracer::set_plan(const RayPlan& plan) {
 
 void LampTracer::sum_up(const TileLanes& lanes, LaneParts* parts) {
     m_sums.fill(glm::dvec3(0.0));
+    trace(lanes, parts);
+    // Sums of a plan that does not take the plain mean are scaled otherwise.
+    const double unit = 1.0 / (m_plan->scale() * m_plan->samples());
+    for (std::size_t lane = 0; lane < m_sums.size(); ++lane) {
+        m_sums[lane] *= unit;
+        if (parts != nullptr) {
+            parts->of_lights[lane] += luminance(m_sums[lane]);
+        }
+    }
+}
+
+void LampTracer::add_harmonics(const TileLanes& lanes, Horizon horizon, LaneHarmonics& harmonics) {
+    m_horizon = horizon;
+    m_harmonics = &harmonics;
+    trace(lanes, nullptr);
+    m_horizon = Horizon::surface;
+    m_harmonics = nullptr;
+}
+
+void LampTracer::trace(const TileLanes& lanes, LaneParts* parts) {
     m_block.origin = lanes.origin;
     m_block.ignored_triangle = lanes.triangle;
-    sum_up_hard(lanes);
+    trace_hard(lanes);
     if (!m_lamps->soft.empty()) {
         constexpr std::uint64_t of_lamps = 0x6C616D70; // scrambles that the sky's samples do not have
         for (std::size_t lane = 0; lane < lanes.key.size(); ++lane) {
@@ -105,17 +125,9 @@ void LampTracer::sum_up(const TileLanes& lanes, LaneParts* parts) {
             }
         }
     }
-    // Sums of a plan that does not take the plain mean are scaled otherwise.
-    const double unit = 1.0 / (m_plan->scale() * m_plan->samples());
-    for (std::size_t lane = 0; lane < m_sums.size(); ++lane) {
-        m_sums[lane] *= unit;
-        if (parts != nullptr) {
-            parts->of_lights[lane] += luminance(m_sums[lane]);
-        }
-    }
 }
 
-void LampTracer::sum_up_hard(const TileLanes& lanes) {
+void LampTracer::trace_hard(const TileLanes& lanes) {
     for (std::size_t first = 0; first < m_lamps->hard.size(); first += RayBlock::strata) {
         trace_hard(lanes, first, std::min(RayBlock::strata, m_lamps->hard.size() - first));
     }
@@ -132,9 +144,10 @@ void LampTracer::trace_hard(const TileLanes& lanes, std::size_t first, std::size
             const Sight sight = sight_of(lamp, glm::dvec3(vector_of(lanes.origin, lane)));
             const double cosine = glm::dot(glm::dvec3(vector_of(lanes.normal, lane)), sight.direction);
             const double above = glm::dot(glm::dvec3(vector_of(lanes.geometric_normal, lane)), sight.direction);
-            strength[i][lane] = samples * sight.strength * cosine;
+            strength[i][lane] = samples * sight.strength * (m_harmonics != nullptr ? 1.0 : cosine);
             const double way = std::min(sight.distance, beyond_the_scene) - lamp_gap;
-            if (cosine > 0.0 && above > 0.0 && sight.strength > 0.0 && way > 0.0) {
+            const bool faces = m_horizon == Horizon::none || (cosine > 0.0 && above > 0.0);
+            if (faces && sight.strength > 0.0 && way > 0.0) {
                 m_block.active[i] = static_cast<RayBlock::LaneBits>(m_block.active[i] | (1U << lane));
                 put_vector(m_block.direction[i], lane, glm::vec3(sight.direction * way));
             }
@@ -148,7 +161,12 @@ void LampTracer::trace_hard(const TileLanes& lanes, std::size_t first, std::size
         m_reached[lamp.number] += static_cast<std::uint64_t>(std::popcount(open));
         for (unsigned left = open; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            m_sums[lane] += strength[i][lane] * (glm::dvec3(m_scratch.transmittance(i, lane)) * lamp.light);
+            const glm::dvec3 light = strength[i][lane] * (glm::dvec3(m_scratch.transmittance(i, lane)) * lamp.light);
+            if (m_harmonics != nullptr) {
+                m_harmonics->add(lane, glm::normalize(vector_of(m_block.direction[i], lane)), light);
+            } else {
+                m_sums[lane] += light;
+            }
         }
     }
 }
@@ -175,8 +193,10 @@ void LampTracer::see_lane(const ReadyLamp& lamp, const TileLanes& lanes, std::si
     put_vector(disc.tangent, lane, frame.tangent);
     put_vector(disc.bitangent, lane, frame.bitangent);
     put_vector(disc.centre, lane, frame.normal);
-    put_vector(disc.shading, lane, in_frame(vector_of(lanes.normal, lane)));
-    put_vector(disc.geometric, lane, in_frame(vector_of(lanes.geometric_normal, lane)));
+    // A point in the air sees a lamp as a surface does that faces it.
+    const bool in_air = m_horizon == Horizon::none;
+    put_vector(disc.shading, lane, in_frame(in_air ? frame.normal : vector_of(lanes.normal, lane)));
+    put_vector(disc.geometric, lane, in_frame(in_air ? frame.normal : vector_of(lanes.geometric_normal, lane)));
     disc.sine[lane] = static_cast<float>(sine);
     disc.distance[lane] = static_cast<float>(std::min(sight.distance, far_enough));
     disc.strength[lane] = sight.strength;
@@ -234,6 +254,10 @@ void LampTracer::trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* 
         m_reached[lamp.number] += static_cast<std::uint64_t>(std::popcount(open));
         for (unsigned left = open; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            if (m_harmonics != nullptr) {
+                add_soft(lamp, disc, stratum, lane);
+                continue;
+            }
             const auto weight = static_cast<double>(m_weights[stratum][lane]);
             double luminance_seen = bright;
             if ((dimmed >> lane & 1U) == 0) {
@@ -253,6 +277,16 @@ void LampTracer::trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* 
             m_sums[lane] += weights[lane] * disc.strength[lane] * lamp.light;
         }
     }
+}
+
+void LampTracer::add_soft(const ReadyLamp& lamp, const Disc& disc, std::size_t stratum, std::size_t lane) {
+    const float x = disc.sine[lane] * m_points.direction[stratum][0][lane];
+    const float y = disc.sine[lane] * m_points.direction[stratum][1][lane];
+    const float z = std::sqrt(std::max(1.0F - x * x - y * y, 0x1p-40F));
+    const glm::vec3 direction =
+        vector_of(disc.tangent, lane) * x + vector_of(disc.bitangent, lane) * y + vector_of(disc.centre, lane) * z;
+    const glm::dvec3 through(m_scratch.transmittance(stratum, lane));
+    m_harmonics->add(lane, direction, disc.strength[lane] / static_cast<double>(z) * (through * lamp.light));
 }
 
 } // namespace vkbake

@@ -11,6 +11,7 @@
 
 #include "trace/directions.hpp"
 #include "trace/lamp_set.hpp"
+#include "trace/lane_harmonics.hpp"
 #include "trace/lane_parts.hpp"
 #include "trace/tile_lanes.hpp"
 #include "trace/tile_rays.hpp"
@@ -39,7 +40,10 @@ public:
     void set_plan(const RayPlan& plan);
     /// Sums up for a tile's lanes; where `parts` is not null, also the parts of the soft lamps' samples.
     void sum_up(const TileLanes& lanes, LaneParts* parts);
-    /// Of the last tile, in the unit of RayPlan's sums: scale() times it is E/π.
+    /// Adds their radiance for a tile's lanes, whatever its angle to their surface: π / samples() times what is added
+    /// is ∫ L Y. With Horizon::none the lanes' normals mean nothing.
+    void add_harmonics(const TileLanes& lanes, Horizon horizon, LaneHarmonics& harmonics);
+    /// Of the last tile that was summed up, in the unit of RayPlan's sums: scale() times it is E/π.
     [[nodiscard]] const glm::dvec3& sum(std::size_t lane) const { return m_sums[lane]; }
 
     [[nodiscard]] std::uint64_t rays() const { return m_ray_count; } ///< traced so far
@@ -63,7 +67,9 @@ private:
         RayBlock::LaneBits lit = 0;                     ///< lanes that are in range and cone
     };
 
-    void sum_up_hard(const TileLanes& lanes);
+    /// What there is to do for the lanes, into m_sums and `parts`, or into m_harmonics.
+    void trace(const TileLanes& lanes, LaneParts* parts);
+    void trace_hard(const TileLanes& lanes);
     /// The rays of up to 16 hard lamps, a stratum each.
     void trace_hard(const TileLanes& lanes, std::size_t first, std::size_t count);
     void see(const ReadyLamp& lamp, const TileLanes& lanes, Disc& disc) const;
@@ -71,6 +77,8 @@ private:
     /// The rays of a block of samples towards a soft lamp, their weights, and which need no tracing.
     void aim(const ReadyLamp& lamp, const Disc& disc);
     void trace_soft(const ReadyLamp& lamp, const Disc& disc, LaneParts* parts);
+    /// Adds one of the block's open rays to the harmonics.
+    void add_soft(const ReadyLamp& lamp, const Disc& disc, std::size_t stratum, std::size_t lane);
 
     const LampSet* m_lamps;         ///< never null
     const Visibility* m_visibility; ///< never null
@@ -87,6 +95,8 @@ private:
     std::array<Row, RayBlock::strata> m_weights{};
     BlockedRays m_beside{}; ///< samples that lie inside the lamp's sphere
     std::array<glm::dvec3, RayBlock::lanes> m_sums{};
+    Horizon m_horizon = Horizon::surface;
+    LaneHarmonics* m_harmonics = nullptr; ///< while they are asked for
     std::uint64_t m_ray_count = 0;
     std::vector<std::uint64_t> m_reached;
 };

@@ -19,8 +19,25 @@ void PeakTracer::set_plan(const RayPlan& plan) {
 }
 
 void PeakTracer::sum_up(const TileLanes& lanes, LaneParts* parts) {
-    constexpr std::uint64_t of_peaks = 0x7065616B; // scrambles that neither the sky's samples nor the lamps' have
     m_sums.fill(glm::dvec3(0.0));
+    trace(lanes, parts);
+    if (parts != nullptr) {
+        for (std::size_t lane = 0; lane < m_sums.size(); ++lane) {
+            parts->of_lights[lane] += luminance(m_sums[lane]);
+        }
+    }
+}
+
+void PeakTracer::add_harmonics(const TileLanes& lanes, Horizon horizon, LaneHarmonics& harmonics) {
+    m_horizon = horizon;
+    m_harmonics = &harmonics;
+    trace(lanes, nullptr);
+    m_horizon = Horizon::surface;
+    m_harmonics = nullptr;
+}
+
+void PeakTracer::trace(const TileLanes& lanes, LaneParts* parts) {
+    constexpr std::uint64_t of_peaks = 0x7065616B; // scrambles that neither the sky's samples nor the lamps' have
     m_block.origin = lanes.origin;
     m_block.ignored_triangle = lanes.triangle;
     for (std::size_t lane = 0; lane < lanes.key.size(); ++lane) {
@@ -31,12 +48,7 @@ void PeakTracer::sum_up(const TileLanes& lanes, LaneParts* parts) {
     for (std::size_t number = 0; number < m_strata->block_count(); ++number) {
         set_points(*m_strata, m_tables, m_own_lanes, number, m_block, &m_indices);
         aim(lanes);
-        trace(parts);
-    }
-    if (parts != nullptr) {
-        for (std::size_t lane = 0; lane < m_sums.size(); ++lane) {
-            parts->of_lights[lane] += luminance(m_sums[lane]);
-        }
+        trace_block(parts);
     }
 }
 
@@ -53,8 +65,9 @@ void PeakTracer::aim(const TileLanes& lanes) {
                        sample.direction.z * rows[2][lane];
             };
             const float cosine = along(lanes.normal);
-            active |= cosine > 0.0F && along(lanes.geometric_normal) > 0.0F ? 1U << lane : 0U;
-            m_light[stratum][lane] = cosine * sample.light;
+            const bool faces = m_horizon == Horizon::none || (cosine > 0.0F && along(lanes.geometric_normal) > 0.0F);
+            active |= faces ? 1U << lane : 0U;
+            m_light[stratum][lane] = (m_harmonics != nullptr ? 1.0F : cosine) * sample.light;
             x[lane] = sample.direction.x;
             y[lane] = sample.direction.y;
             z[lane] = sample.direction.z;
@@ -63,7 +76,7 @@ void PeakTracer::aim(const TileLanes& lanes) {
     }
 }
 
-void PeakTracer::trace(LaneParts* parts) {
+void PeakTracer::trace_block(LaneParts* parts) {
     const BlockedRays blocked = m_visibility->blocked(m_block, m_scratch);
     const unsigned shift = parts != nullptr ? part_shift(m_plan->samples()) : 0;
     for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
@@ -73,6 +86,11 @@ void PeakTracer::trace(LaneParts* parts) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const glm::dvec3 light =
                 glm::dvec3(m_scratch.transmittance(stratum, lane)) * glm::dvec3(m_light[stratum][lane]);
+            if (m_harmonics != nullptr) {
+                const auto& [x, y, z] = m_block.direction[stratum];
+                m_harmonics->add(lane, {x[lane], y[lane], z[lane]}, light);
+                continue;
+            }
             m_sums[lane] += light;
             if (parts != nullptr) {
                 parts->add(lane, m_indices.of[stratum][lane], shift, luminance(light));

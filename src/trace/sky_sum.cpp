@@ -90,6 +90,31 @@ HWY_INLINE void add(const Radiance& radiance, const SkyRays& rays, LaneSums& sum
     }
 }
 
+/// Each ray's own, in three channels.
+template<class Radiance>
+HWY_INLINE void write(const Radiance& radiance, const SkyRays& rays, RadianceRows& out) {
+    alignas(64) std::array<RayBlock::LaneRow, Radiance::channels> rows{};
+    for (std::size_t stratum = 0; stratum < rays.directions.size(); ++stratum) {
+        for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+            radiance.look_up(radiance.place(load(rays.directions[stratum], first)), mask_at(first, rays.open[stratum]),
+                             first, rows);
+        }
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            out[stratum][channel] = rows[channel % Radiance::channels];
+        }
+    }
+}
+
+void write_clear(const ClearSkyLookup& sky, const SkyRays& rays, RadianceRows& out) {
+    write(ClearRadiance(sky), rays, out);
+}
+
+void write_equirectangular(const EquirectangularLookup& sky, const SkyRays& rays, RadianceRows& out) {
+    write(EquirectangularRadiance(sky), rays, out);
+}
+
+void write_cube(const CubeLookup& sky, const SkyRays& rays, RadianceRows& out) { write(CubeRadiance(sky), rays, out); }
+
 void add_constant(const SkyRays& rays, LaneSums& sums) { add(UnitRadiance(), rays, sums); }
 
 void add_clear(const ClearSkyLookup& sky, const SkyRays& rays, LaneSums& sums) { add(ClearRadiance(sky), rays, sums); }
@@ -110,8 +135,32 @@ HWY_EXPORT(add_constant);
 HWY_EXPORT(add_clear);
 HWY_EXPORT(add_equirectangular);
 HWY_EXPORT(add_cube);
+HWY_EXPORT(write_clear);
+HWY_EXPORT(write_equirectangular);
+HWY_EXPORT(write_cube);
 
 namespace {
+
+struct Write {
+    SkyRays rays;
+    RadianceRows& out;
+
+    void operator()(const ConstantLookup& sky) const {
+        for (std::size_t stratum = 0; stratum < out.size(); ++stratum) {
+            for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
+                const bool open = (rays.open[stratum] >> lane & 1U) != 0;
+                for (std::size_t channel = 0; channel < 3; ++channel) {
+                    out[stratum][channel][lane] = open ? sky.radiance[static_cast<glm::length_t>(channel)] : 0.0F;
+                }
+            }
+        }
+    }
+    void operator()(const ClearSkyLookup& sky) const { HWY_DYNAMIC_DISPATCH(write_clear)(sky, rays, out); }
+    void operator()(const EquirectangularLookup& sky) const {
+        HWY_DYNAMIC_DISPATCH(write_equirectangular)(sky, rays, out);
+    }
+    void operator()(const CubeLookup& sky) const { HWY_DYNAMIC_DISPATCH(write_cube)(sky, rays, out); }
+};
 
 struct Add {
     SkyRays rays;
@@ -130,6 +179,10 @@ struct Add {
 void add_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open,
              const std::array<double, RayBlock::strata>& weights, LaneSums& sums, LuminanceRows* luminance) {
     std::visit(Add{{block.direction, open, weights, luminance}, sums}, sky);
+}
+
+void look_up_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open, RadianceRows& radiance) {
+    std::visit(Write{{block.direction, open, {}}, radiance}, sky);
 }
 
 double luminance_scale(const SkyLookup& sky) {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "bvh/ray_block.hpp"
+#include "trace/lane_harmonics.hpp"
 #include "trace/sky_lookup.hpp"
 
 namespace vkbake {
@@ -26,6 +27,9 @@ using LuminanceRows = std::array<RayBlock::LaneRow, RayBlock::strata>;
 /// Where `luminance` is not null it is filled for the open rays; the others' values mean nothing.
 void add_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open,
              const std::array<double, RayBlock::strata>& weights, LaneSums& sums, LuminanceRows* luminance = nullptr);
+
+/// The radiance along each ray that is set in `open`, of the same bits as add_sky() adds; 0 for the others.
+void look_up_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open, RadianceRows& radiance);
 
 /// What the values of LuminanceRows are to be multiplied with.
 [[nodiscard]] double luminance_scale(const SkyLookup& sky);

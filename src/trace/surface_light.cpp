@@ -39,7 +39,7 @@ glm::vec3 light_at(const LeavingLight& page, int x, int y) {
 } // namespace
 
 glm::vec3 SurfaceLight::along(const Ray& ray, const Hit& hit) const {
-    if (hit.back_side && m_two_sided[m_surface->parts_of[hit.triangle]] == 0) {
+    if (!shows(hit)) {
         return glm::vec3(0.0F);
     }
     const std::size_t first = std::size_t{3} * hit.triangle;

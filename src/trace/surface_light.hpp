@@ -35,6 +35,10 @@ public:
 
     /// What arrives along a ray from where it ends.
     [[nodiscard]] glm::vec3 along(const Ray& ray, const Hit& hit) const;
+    /// Whether the side that was met is to be seen: a front, or a back that its material shows.
+    [[nodiscard]] bool shows(const Hit& hit) const {
+        return !hit.back_side || m_two_sided[m_surface->parts_of[hit.triangle]] != 0;
+    }
 
 private:
     const Surface* m_surface; ///< never null

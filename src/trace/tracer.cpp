@@ -194,6 +194,16 @@ Tracer::Tracer(const Surface& surface, const Sky& sky, const Settings& settings,
 
 std::vector<std::string> Tracer::notes() const { return m_state->notes; }
 
+TracedScene Tracer::scene() const {
+    return {.surface = m_state->surface,
+            .visibility = &m_state->visibility,
+            .settings = &m_state->plan.settings(),
+            .sky = &m_state->radiance,
+            .peaks = m_state->peaks ? &*m_state->peaks : nullptr,
+            .lamps = m_state->lamps.empty() ? nullptr : &m_state->lamps,
+            .intensity = m_state->intensity};
+}
+
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;

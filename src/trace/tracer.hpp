@@ -9,8 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "trace/lamp_set.hpp"
+#include "trace/sky_lookup.hpp"
+#include "trace/sky_peaks.hpp"
 #include "trace/surface_light.hpp"
 #include "trace/surface_opacity.hpp"
+#include "trace/visibility.hpp"
 #include "vkbake/geometry_image.hpp"
 #include "vkbake/lamp.hpp"
 #include "vkbake/lightmap.hpp"
@@ -23,6 +27,17 @@ namespace vkbake {
 /// How far one map is: the share of its work that is done, the rays traced so far, and the error estimated of it (0:
 /// not known). Returns false to stop.
 using TraceProgress = std::function<bool(double share, std::uint64_t rays, double error)>;
+
+/// What a tracer was made for, for rays of other purposes than light maps. Holds while the tracer lives.
+struct TracedScene {
+    const Surface* surface = nullptr;
+    const Visibility* visibility = nullptr;
+    const Settings* settings = nullptr;
+    const SkyLookup* sky = nullptr; ///< without its peaks, where these are sampled on their own
+    const SkyPeaks* peaks = nullptr;
+    const LampSet* lamps = nullptr; ///< null where there are none
+    double intensity = 1.0;         ///< multiplies sky, peaks and lamps
+};
 
 /// Holds what all maps of a bake share: the accelerators over the surface and the sky made ready for look-ups.
 /// The surface must outlive it.
@@ -52,6 +67,8 @@ public:
     /// (1, 2 …). Sets the image and, of the statistics, bounce_rays and seconds. Else as trace().
     [[nodiscard]] LightMap gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
                                   const TraceProgress& progress = {}) const;
+
+    [[nodiscard]] TracedScene scene() const;
 
 private:
     struct State;

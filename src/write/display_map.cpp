@@ -49,7 +49,7 @@ std::array<double, 255> srgb_borders() {
 } // namespace
 
 DisplayMap make_display_map(const std::string& name, const Image& image, Mode mode, const Poll& poll) {
-    DisplayMap map{name, {}, {}, 1.0};
+    DisplayMap map{.name = name};
     std::vector<std::uint8_t> texels;
     if (mode == Mode::ao) {
         texels.reserve(image.texels.size());

@@ -12,10 +12,11 @@
 namespace vkbake {
 
 struct DisplayMap {
-    std::string name;              ///< AtlasPage::name
-    std::string linear_file;       ///< the light map's own file, relative to the scene's
-    std::vector<std::uint8_t> png; ///< irradiance: three channels, sRGB; ao: one channel, linear
-    double intensity = 1.0;        ///< irradiance: E = intensity × linear value of the PNG
+    std::string name;                           ///< AtlasPage::name
+    std::string linear_file;                    ///< the light map's own file, relative to the scene's
+    std::vector<std::uint8_t> png;              ///< irradiance: three channels, sRGB; ao: one channel, linear
+    std::vector<std::string> directional_files; ///< of LightMap::directional, likewise
+    double intensity = 1.0;                     ///< irradiance: E = intensity × linear value of the PNG
 };
 
 /// Irradiance: each channel as sRGB of value ÷ greatest value of the map, so intensity = π × that; a map that is black

@@ -249,6 +249,9 @@ void LitMaterials::refer_to_light_map(Json& material, const DisplayMap& map, std
         extras = {{"source", std::move(extras)}}; // glTF lets extras be anything
     }
     extras["vkbake"] = {{"lightMap", map.linear_file}, {"mode", m_mode == Mode::ao ? "ao" : "irradiance"}};
+    if (!map.directional_files.empty()) {
+        extras["vkbake"]["directional"] = map.directional_files;
+    }
 }
 
 void LitMaterials::list_extension() {

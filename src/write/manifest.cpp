@@ -23,6 +23,9 @@ Json map_json(const LightMap& map, const WrittenMap& written, Mode mode) {
         json["error_file"] = written.error_file;
         json["rays_file"] = written.rays_file;
     }
+    if (!written.directional_files.empty()) {
+        json["directional_files"] = written.directional_files;
+    }
     json["values_out_of_range"] = written.changed_values;
     if (mode == Mode::irradiance) {
         json["intensity"] = written.intensity;
@@ -85,6 +88,8 @@ Json settings_json(const Settings& settings) {
             {"rays", settings.rays},
             {"bounces", settings.bounces},
             {"bounce-rays", settings.bounce_rays},
+            {"directional", name_of(settings.directional)},
+            {"directional-rays", settings.directional_rays},
             {"lamps", name_of(settings.lamps)},
             {"sun", name_of(settings.sun)},
             {"alpha", name_of(settings.alpha)},
@@ -115,7 +120,8 @@ Json counts_json(const LightMap& map) {
               {"back_side_hits", statistics.back_side_hits},
               {"lamp_rays", statistics.lamp_rays},
               {"peak_rays", statistics.peak_rays},
-              {"bounce_rays", statistics.bounce_rays}};
+              {"bounce_rays", statistics.bounce_rays},
+              {"directional_rays", statistics.directional_rays}};
     if (map.error) {
         json["error"] = {{"relative_rmse", map.error->relative_rmse},
                          {"percentile_99", map.error->percentile_99},

@@ -21,10 +21,11 @@ struct WrittenFile {
 /// A light map's file, in the order of Bake::light_maps.
 struct WrittenMap {
     std::string file;
-    std::string error_file;           ///< of the texels' standard errors; empty where there are none
-    std::string rays_file;            ///< of the texels' sample counts; as above
-    double intensity = 1.0;           ///< DisplayMap::intensity
-    std::uint64_t changed_values = 0; ///< EncodedFile::changed_values
+    std::string error_file;                     ///< of the texels' standard errors; empty where there are none
+    std::string rays_file;                      ///< of the texels' sample counts; as above
+    std::vector<std::string> directional_files; ///< of LightMap::directional
+    double intensity = 1.0;                     ///< DisplayMap::intensity
+    std::uint64_t changed_values = 0;           ///< EncodedFile::changed_values
 };
 
 /// All times, and what changes nothing but them, lie under "timing"; the rest is the same for each run of the same

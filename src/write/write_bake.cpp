@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "base/boundary.hpp"
 #include "imageio/encode.hpp"
@@ -58,6 +59,26 @@ Attributes provenance(const Bake& bake, const std::string& name) {
     return attributes;
 }
 
+/// As the light map's own, of another value.
+Attributes provenance_of(const Bake& bake, const LightMap& map, const std::string& value) {
+    Attributes attributes = provenance(bake, map.name);
+    std::find_if(attributes.begin(), attributes.end(), [](const auto& entry) {
+        return entry.first == value_attribute;
+    })->second = value;
+    return attributes;
+}
+
+/// LightMap::directional's.
+std::vector<std::uint8_t> coefficient_exr(const Bake& bake, const LightMap& map, std::size_t index) {
+    constexpr std::array<const char*, 4> basis{"0.282095", "0.488603 y", "0.488603 z", "0.488603 x"};
+    Image image = map.directional[index];
+    image.coverage = map.image.coverage;
+    Attributes attributes =
+        provenance_of(bake, map, std::string("radiance by the spherical harmonic ") + basis.at(index));
+    attributes.emplace_back("vkbake:directional-rays", std::to_string(bake.settings.directional_rays));
+    return encode_image(image, ImageFormat::exr, attributes).bytes;
+}
+
 /// A grey picture of one number a texel, with the map's coverage. Not padded: it is read, not sampled.
 template<typename Value>
 std::vector<std::uint8_t> one_value_exr(const Bake& bake, const LightMap& map, const std::string& what,
@@ -67,11 +88,7 @@ std::vector<std::uint8_t> one_value_exr(const Bake& bake, const LightMap& map, c
     for (std::size_t texel = 0; texel < values.size(); ++texel) {
         image.texels.emplace_back(glm::vec3(static_cast<float>(values[texel])), map.image.coverage[texel]);
     }
-    Attributes attributes = provenance(bake, map.name);
-    std::find_if(attributes.begin(), attributes.end(), [](const auto& entry) {
-        return entry.first == value_attribute;
-    })->second = what;
-    return encode_image(image, ImageFormat::exr, attributes).bytes;
+    return encode_image(image, ImageFormat::exr, provenance_of(bake, map, what)).bytes;
 }
 
 /// A scene's name as a file's name.
@@ -178,10 +195,16 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
             output.stage(entry.error_file, one_value_exr(bake, map, "standard error of luminance", map.standard_error));
             output.stage(entry.rays_file, one_value_exr(bake, map, "samples a texel", map.texel_rays));
         }
+        for (std::size_t index = 0; index < map.directional.size(); ++index) {
+            entry.directional_files.push_back("lightmaps/" + map.name + ".sh" + std::to_string(index) + ".exr");
+            output.stage(entry.directional_files.back(), coefficient_exr(bake, map, index));
+            asking();
+        }
         DisplayMap picture;
         if (scene.source) {
             picture = make_display_map(map.name, map.image, bake.settings.mode, poll);
             picture.linear_file = file;
+            picture.directional_files = entry.directional_files;
         }
         entry.intensity = picture.intensity;
         written.push_back(std::move(entry));

@@ -26,8 +26,11 @@ inline Bake bounced(const Scene& scene, const Settings& settings, const Sky& sky
     }
     const Progress silent;
     StageClock clock(silent);
-    add_bounces(
-        scene, tracer, [&](std::size_t page) -> const GeometryImage& { return geometry[page]; }, clock, bake);
+    const auto draw = [&](std::size_t page) -> const GeometryImage& { return geometry[page]; };
+    const SentLight sent = add_bounces(scene, tracer, draw, clock, bake);
+    if (settings.directional == Switch::on) {
+        add_directional(tracer, sent, draw, clock, bake);
+    }
     return bake;
 }
 

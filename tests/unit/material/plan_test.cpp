@@ -53,6 +53,19 @@ TEST(Plan, CountsLampsAndTheirRays) {
     EXPECT_FALSE(entry(scene, settings, "lamps").modelled);
 }
 
+TEST(Plan, DirectionsAreThereWhereTheyAreAskedFor) {
+    const Scene scene = test::painted_floor({});
+    Settings settings;
+    EXPECT_FALSE(entry(scene, settings, "directions").modelled);
+    settings.directional = Switch::on;
+    settings.directional_rays = 100;
+    EXPECT_TRUE(entry(scene, settings, "directions").modelled);
+    EXPECT_TRUE(says(entry(scene, settings, "directions"), "100 rays a texel more"));
+    const MemoryNeed need = memory_need(scene, {}, settings);
+    settings.directional = Switch::off;
+    EXPECT_GT(peak_memory(need), peak_memory(memory_need(scene, {}, settings)));
+}
+
 TEST(Plan, EmissionComesWithTheFirstBounce) {
     const Scene lamp = test::painted_floor({.emissive = {0.0F, 3.0F, 0.0F}});
     Settings settings;

@@ -107,6 +107,39 @@ TEST(WriteBake, OtherFormatsClampAndSay) {
     EXPECT_EQ(read_manifest(folder / "hdr")["light_maps"][0]["values_out_of_range"], 1);
 }
 
+TEST(WriteBake, DirectionalMapsLieBesideTheLightMap) {
+    const TestFolder folder;
+    Bake bake = make_bake();
+    LightMap& map = bake.light_maps[0];
+    map.directional.assign(4, map.image);
+    for (std::size_t i = 0; i < 4; ++i) {
+        map.directional[i].coverage.clear();
+        map.directional[i].texels[0].g = -1.0F - static_cast<float>(i);
+    }
+    const auto files = write_bake(make_scene(), bake, {folder.path(), LightMapFormat::exr, {}});
+    EXPECT_EQ(files.size(), 8U);
+    const std::vector<std::string> names{"lightmaps/page-0.sh0.exr", "lightmaps/page-0.sh1.exr",
+                                         "lightmaps/page-0.sh2.exr", "lightmaps/page-0.sh3.exr"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Image image = read_image(folder / names[i]);
+        EXPECT_EQ(image.texels, map.directional[i].texels);
+        EXPECT_EQ(image.coverage, map.image.coverage);
+    }
+    const Json manifest = read_manifest(folder.path());
+    EXPECT_EQ(manifest["light_maps"][0]["directional_files"], Json(names));
+    EXPECT_FALSE(manifest["light_maps"][1].contains("directional_files"));
+    const Json document = test::parse_glb(read_file(folder / "room.glb")).json;
+    std::size_t referring = 0;
+    for (const Json& material : document["materials"]) {
+        if (material.contains("extras") && material["extras"].contains("vkbake") &&
+            material["extras"]["vkbake"].value("lightMap", "") == "lightmaps/page-0.exr") {
+            EXPECT_EQ(material["extras"]["vkbake"]["directional"], Json(names));
+            ++referring;
+        }
+    }
+    EXPECT_GT(referring, 0U);
+}
+
 TEST(WriteBake, ScenesMadeByHandGiveImagesAndManifest) {
     const TestFolder folder;
     Scene scene = make_scene();
