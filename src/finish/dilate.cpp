@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -63,14 +62,16 @@ public:
           m_result(context, m_images[0].size(), gpu::Memory::read_back),
           m_progress(context, (static_cast<std::size_t>(rounds) + 1) * sizeof(std::uint32_t), gpu::Memory::device) {}
 
-    /// Dilates the area as an image of its own. The span stays valid until the next call: row by row, `area.width`
-    /// texels each.
-    std::span<const glm::vec4> run(const Image& image, const Rectangle& area) {
+    /// Dilates the area as an image of its own, as it was before any of it was `made` by a tile before. The span stays
+    /// valid until the next call: row by row, `area.width` texels each.
+    std::span<const glm::vec4> run(const Image& image, const Rectangle& area, const std::vector<bool>& made) {
         const std::span<glm::vec4> texels = m_upload.as<glm::vec4>();
-        for (int row = 0; row < area.height; ++row) {
-            std::memcpy(&texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(area.width)],
-                        &image.texels[image.index(area.x, area.y + row)],
-                        static_cast<std::size_t>(area.width) * sizeof(glm::vec4));
+        std::size_t to = 0;
+        for (int y = area.y; y < area.y + area.height; ++y) {
+            const std::size_t row = image.index(area.x, y);
+            for (std::size_t from = row; from < row + static_cast<std::size_t>(area.width); ++from) {
+                texels[to++] = made[from] ? glm::vec4(0.0F) : image.texels[from];
+            }
         }
         std::vector<std::uint32_t> filled(static_cast<std::size_t>(m_rounds) + 1, 0);
         filled[0] = 1;
@@ -122,15 +123,16 @@ private:
 
 /// Takes over what the pass filled, and nothing else: so no texel that was filled before can change.
 std::uint64_t take_filled(std::span<const glm::vec4> result, const Rectangle& area, const Rectangle& inner,
-                          const Image& source, std::vector<glm::vec4>& texels) {
+                          Image& image, std::vector<bool>& made) {
     std::uint64_t count = 0;
     for (int y = inner.y; y < inner.y + inner.height; ++y) {
         const auto row = static_cast<std::size_t>(y - area.y) * static_cast<std::size_t>(area.width);
         for (int x = inner.x; x < inner.x + inner.width; ++x) {
             const glm::vec4& texel = result[row + static_cast<std::size_t>(x - area.x)];
-            const std::size_t index = source.index(x, y);
-            if (is_filled(texel) && !is_filled(source.texels[index])) {
-                texels[index] = texel;
+            const std::size_t index = image.index(x, y);
+            if (is_filled(texel) && !is_filled(image.texels[index])) {
+                image.texels[index] = texel;
+                made[index] = true;
                 ++count;
             }
         }
@@ -166,13 +168,12 @@ std::uint64_t dilate(gpu::Context& context, Image& image, const DilateSettings& 
         return 0;
     }
     Pass pass(context, largest.width, largest.height, border);
-    std::vector<glm::vec4> texels = image.texels; // tiles read their borders as they were
+    std::vector<bool> made(image.texels.size(), false);
     std::uint64_t filled = 0;
     for (const Rectangle& inner : tiles) {
         const Rectangle area = with_border(inner, border, image);
-        filled += take_filled(pass.run(image, area), area, inner, image, texels);
+        filled += take_filled(pass.run(image, area, made), area, inner, image, made);
     }
-    image.texels = std::move(texels);
     return filled;
 }
 

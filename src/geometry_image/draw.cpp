@@ -205,9 +205,9 @@ GeometryImage empty_image(const TexelGrid& grid) {
     image.height = grid.height;
     const std::size_t texels = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
     image.triangle.assign(texels, GeometryImage::empty);
-    image.position.assign(texels, glm::vec3(0.0F));
-    image.shading_normal.assign(texels, glm::vec3(0.0F));
-    image.geometric_normal.assign(texels, glm::vec3(0.0F));
+    image.position = ZeroedArray<glm::vec3>(texels);
+    image.shading_normal = ZeroedArray<glm::vec3>(texels);
+    image.geometric_normal = ZeroedArray<glm::vec3>(texels);
     return image;
 }
 

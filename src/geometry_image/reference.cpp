@@ -144,9 +144,9 @@ GeometryImage reference_geometry_image(const Surface& surface, const Atlas& atla
     image.width = grid.width;
     image.height = grid.height;
     image.triangle.assign(texels, GeometryImage::empty);
-    image.position.assign(texels, glm::vec3(0.0F));
-    image.shading_normal.assign(texels, glm::vec3(0.0F));
-    image.geometric_normal.assign(texels, glm::vec3(0.0F));
+    image.position = ZeroedArray<glm::vec3>(texels);
+    image.shading_normal = ZeroedArray<glm::vec3>(texels);
+    image.geometric_normal = ZeroedArray<glm::vec3>(texels);
     std::vector<float> nearest(texels, 1.0F);
     const double scale = 1.0 / (static_cast<double>(grid.units) * grid.units);
 

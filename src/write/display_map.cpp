@@ -64,8 +64,12 @@ DisplayMap make_display_map(const std::string& name, const Image& image, Mode mo
     const std::array<double, 255> borders = srgb_borders();
     texels.reserve(3 * image.texels.size());
     each_texel(image, poll, [&](const glm::vec4& texel) {
+        if (!(texel.w > 0.0F)) {
+            texels.insert(texels.end(), 3, std::uint8_t{0});
+            return;
+        }
         for (int channel = 0; channel < 3; ++channel) {
-            const double share = texel.w > 0.0F ? share_of(texel[channel], greatest) : 0.0;
+            const double share = share_of(texel[channel], greatest);
             const auto* const border = std::upper_bound(borders.begin(), borders.end(), share);
             texels.push_back(static_cast<std::uint8_t>(border - borders.begin()));
         }

@@ -108,9 +108,9 @@ inline GeometryImage geometry_image(const std::vector<SamplePoint>& points, int 
     image.height = (static_cast<int>(points.size()) + width - 1) / width;
     const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     image.triangle.assign(count, GeometryImage::empty);
-    image.position.assign(count, glm::vec3(0.0F));
-    image.shading_normal.assign(count, glm::vec3(0.0F));
-    image.geometric_normal.assign(count, glm::vec3(0.0F));
+    image.position = ZeroedArray<glm::vec3>(count);
+    image.shading_normal = ZeroedArray<glm::vec3>(count);
+    image.geometric_normal = ZeroedArray<glm::vec3>(count);
     for (std::size_t i = 0; i < points.size(); ++i) {
         image.triangle[i] = points[i].triangle;
         image.position[i] = points[i].position;

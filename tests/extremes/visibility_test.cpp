@@ -3,6 +3,7 @@
 
 #include "amount.hpp"
 #include "closed_form/configuration_factors.hpp"
+#include "closed_form/hand_made.hpp"
 #include "host_bake.hpp"
 
 namespace vkbake::test {
@@ -85,7 +86,7 @@ TEST(Visibility, TerracesHaveTheirClosedFormAtEveryScale) {
         SCOPED_TRACE(size);
         const Scene scene = scene_of(stair, glm::dvec3(size * 1e5), glm::dmat3(size));
         const Surface surface = make_surface(scene);
-        GeometryImage texels;
+        std::vector<test::SamplePoint> points;
         std::vector<double> expected;
         for (std::uint32_t triangle = 0; triangle < surface.triangle_count(); ++triangle) {
             if (surface.geometric_normals[triangle].y < 0.5F) {
@@ -100,18 +101,15 @@ TEST(Visibility, TerracesHaveTheirClosedFormAtEveryScale) {
                 if (std::abs(world.z) > 200.0) {
                     continue;
                 }
-                texels.triangle.push_back(triangle);
-                texels.position.push_back(point);
-                texels.shading_normal.push_back(surface.geometric_normals[triangle]);
-                texels.geometric_normal.push_back(surface.geometric_normals[triangle]);
+                const glm::vec3& normal = surface.geometric_normals[triangle];
+                points.push_back({point, normal, normal, triangle});
                 const double distance = std::ceil(world.x) - world.x;
                 const bool topmost = world.y > height * (steps - 1.5);
                 expected.push_back(topmost ? 1.0 : 0.5 + 0.5 * distance / std::hypot(distance, height));
             }
         }
         ASSERT_GE(expected.size(), 20U);
-        texels.width = static_cast<int>(texels.triangle.size());
-        texels.height = 1;
+        const GeometryImage texels = test::geometry_image(points, static_cast<int>(points.size()));
         const LightMap map = Tracer(surface, {}, small_settings(1, rays)).trace(texels);
         for (std::size_t i = 0; i < expected.size(); ++i) {
             // 6 deviations of N rays, and what is seen past the ends of 400 m: less than (3 / 200)² / 4.
@@ -156,19 +154,16 @@ TEST(Visibility, AFloorIsDarkUpToTheWallThatStandsOnIt) {
     add_object(scene, "wall", box_of({0.0F, 0.0F, -200.0F}, {0.5F, 200.0F, 200.0F}));
     const Surface surface = make_surface(scene);
     const std::uint32_t triangle = surface.objects[0].first_triangle; // −x side
-    GeometryImage texels;
+    std::vector<test::SamplePoint> points;
     std::vector<double> expected;
     for (const double distance : {1e-3, 1e-2, 0.1, 1.0}) {
         const glm::dvec3 world(-distance, 0.0, 1.9 - distance);
-        texels.triangle.push_back(triangle);
-        texels.position.emplace_back((world - surface.frame.centre) * surface.frame.scale());
-        texels.shading_normal.emplace_back(0.0F, 1.0F, 0.0F);
-        texels.geometric_normal.emplace_back(0.0F, 1.0F, 0.0F);
+        const glm::vec3 up(0.0F, 1.0F, 0.0F);
+        points.push_back({(world - surface.frame.centre) * surface.frame.scale(), up, up, triangle});
         expected.push_back(1.0 - element_to_perpendicular_rectangle(200.0, 200.0 - world.z, distance) -
                            element_to_perpendicular_rectangle(200.0, 200.0 + world.z, distance));
     }
-    texels.width = static_cast<int>(expected.size());
-    texels.height = 1;
+    const GeometryImage texels = test::geometry_image(points, static_cast<int>(points.size()));
     constexpr std::uint32_t rays = 1024;
     const LightMap map = Tracer(surface, {}, small_settings(1, rays)).trace(texels);
     for (std::size_t i = 0; i < expected.size(); ++i) {

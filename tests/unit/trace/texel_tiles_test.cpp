@@ -20,9 +20,9 @@ GeometryImage empty_image(int width, int height) {
     image.height = height;
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     image.triangle.assign(count, GeometryImage::empty);
-    image.position.assign(count, glm::vec3(0.0F));
-    image.shading_normal.assign(count, glm::vec3(0.0F));
-    image.geometric_normal.assign(count, glm::vec3(0.0F));
+    image.position = ZeroedArray<glm::vec3>(count);
+    image.shading_normal = ZeroedArray<glm::vec3>(count);
+    image.geometric_normal = ZeroedArray<glm::vec3>(count);
     return image;
 }
 
@@ -126,7 +126,7 @@ TEST(TexelTiles, RefusesAnImageThatContradictsItself) {
     cover(image, 1, 1, {0, 0, 0}, {0, 1, 0});
     EXPECT_EQ(make_tiles(image, 1).size(), 1U);
     EXPECT_THROW((void)make_tiles(image, 0), Error);
-    image.position.pop_back();
+    image.position = ZeroedArray<glm::vec3>(image.texel_count() - 1);
     EXPECT_THROW((void)make_tiles(image, 1), Error);
 }
 

@@ -137,7 +137,7 @@ TEST(Tracer, RefusesAGeometryImageOfAnotherSurface) {
     geometry.triangle[3] = 2;
     EXPECT_EQ(refusal([&] { (void)tracer.trace(geometry); }), ErrorKind::bake_failed);
     geometry = floor_texels(surface, 16, 4);
-    geometry.position.pop_back();
+    geometry.position = ZeroedArray<glm::vec3>(15);
     EXPECT_EQ(refusal([&] { (void)tracer.trace(geometry); }), ErrorKind::bake_failed);
 }
 
