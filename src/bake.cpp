@@ -4,6 +4,7 @@
 #include "atlas/make_atlas.hpp"
 #include "base/boundary.hpp"
 #include "bounces.hpp"
+#include "finish/denoise.hpp"
 #include "finish/dilate.hpp"
 #include "geometry_image/draw.hpp"
 #include "lamp_notes.hpp"
@@ -58,8 +59,14 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
         clock.run("geometry image", [&] { return draw(page).texel_count(); });
-        LightMap map =
-            clock.run("trace", [&] { return tracer.trace(geometry, clock.trace_progress(), clock.trace_deadline()); });
+        std::vector<float> variance;
+        LightMap map = clock.run(
+            "trace", [&] { return tracer.trace(geometry, clock.trace_progress(), clock.trace_deadline(), &variance); });
+        if (settings.denoise == Switch::on) {
+            map.statistics.denoised_texels = clock.run("denoise", [&] {
+                return denoise(device.context(), map, {geometry, bake.atlas.chart, variance});
+            });
+        }
         map.name = bake.atlas.pages[page].name;
         bake.light_maps.push_back(std::move(map));
     }

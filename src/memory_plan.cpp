@@ -34,6 +34,8 @@ constexpr std::uint64_t work_texel_bytes = 52;
 /// samples and orders 100.
 constexpr std::uint64_t estimated_map_texel_bytes = 8;
 constexpr std::uint64_t estimated_work_texel_bytes = 100;
+/// Of the one map that is denoised: each texel's variance, what the filter reads 48 and what it makes 20.
+constexpr std::uint64_t denoised_work_texel_bytes = 72;
 /// Of the tile of a map that the device works on: the geometry image's targets and what they are read back into.
 constexpr std::uint64_t tile_texel_bytes = 76;
 constexpr std::uint64_t tile_side = 2048;
@@ -109,19 +111,22 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
             .size = settings.size,
             .bounces = settings.bounces > 0,
             .directional = settings.directional == Switch::on,
-            .estimated = settings.estimate_error || settings.target_error || settings.seconds};
+            .estimated =
+                settings.estimate_error || settings.target_error || settings.seconds || settings.denoise == Switch::on,
+            .denoised = settings.denoise == Switch::on};
 }
 
 std::uint64_t peak_memory(const MemoryNeed& need) {
     const auto side = static_cast<std::uint64_t>(std::max(need.size, 1));
     const std::uint64_t estimates =
         need.estimated ? estimated_map_texel_bytes * need.maps + estimated_work_texel_bytes : 0;
+    const std::uint64_t denoising = need.denoised ? denoised_work_texel_bytes : 0;
     const std::uint64_t directions =
         need.directional ? directional_texel_bytes + (need.bounces ? sent_texel_bytes : 0) : 0;
     return program_bytes + need.held + sky_texel_bytes * need.sky_texels + triangle_bytes * need.triangles +
            need.opacity +
            ((map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0) + directions) * need.maps + work_texel_bytes +
-            estimates) *
+            estimates + denoising) *
                texels_of(side) +
            tile_texel_bytes * texels_of(std::min(side, tile_side));
 }

@@ -21,6 +21,7 @@ struct MemoryNeed {
     bool bounces = false;     ///< whether light is followed from surface to surface
     bool directional = false; ///< with maps of where light comes from
     bool estimated = false;   ///< with the texels' errors
+    bool denoised = false;
 };
 
 /// Of a bake of that scene into `maps` of settings.size; absent: as many as there are at least.

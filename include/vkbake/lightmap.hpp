@@ -26,6 +26,7 @@ struct LightMapStatistics {
     std::uint64_t lamp_rays = 0;          ///< traced beside `rays`, towards lamps
     std::uint64_t peak_rays = 0;          ///< traced beside both, towards the sky's brightest places
     std::uint64_t directional_rays = 0;   ///< traced beside all these, for LightMap::directional
+    std::uint64_t denoised_texels = 0;    ///< that the denoiser changed
     std::uint64_t filled_texels = 0;      ///< by dilation
     double seconds = 0.0;                 ///< tracing
     /// For each of Scene::lamps the rays that reached it; empty where no lamps were baked.
@@ -37,6 +38,9 @@ struct LightMapStatistics {
 struct MapError {
     double relative_rmse = 0.0; ///< root-mean-square error over the covered texels ÷ the map's mean
     double percentile_99 = 0.0; ///< of the texels' standard errors ÷ the map's mean
+    /// Where the map was denoised: relative_rmse before; else 0. relative_rmse is then an estimate of what is left, the
+    /// bias of the filter with it (Stein's unbiased estimate of risk).
+    double noise_rmse = 0.0;
     bool target_reached =
         true; ///< false where 65536 rays a texel, or the time, were too few for Settings::target_error
     // Samples a texel, those at or below the geometric plane among them; 0 where all texels were given the same number
@@ -59,7 +63,8 @@ struct LightMap {
     std::optional<MapError> error;
     /// Row-major as the image's texels; 0 where not baked. Of luminance: the truth lies within ± 2.365 standard errors
     /// of the texel's value with a probability of 95 % (Student's t, 7 degrees of freedom: contrasts of eight parts of
-    /// the texel's sequence). Never less than what no hit, or no miss, in all its rays would allow.
+    /// the texel's sequence). Never less than what no hit, or no miss, in all its rays would allow. Where the texel was
+    /// denoised: the root of the squared error to be expected of it, noise and bias, as the texels around it show it.
     std::vector<float> standard_error;
     std::vector<std::uint32_t> texel_rays; ///< samples a texel; row-major, 0 where not baked
 };

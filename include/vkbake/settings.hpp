@@ -74,6 +74,10 @@ struct Settings {
     std::uint64_t seed = 0;
 
     // Finish
+    /// Whether noise is filtered out where neighbouring texels differ by no more than their own errors explain. The
+    /// errors are then estimated, and those of the filtered map are told. Of the sky's and the lamps' direct light:
+    /// bounces are added as they come. Sampler cosine, 16 rays or more.
+    Switch denoise = Switch::off;
     int padding = 8; ///< rounds of dilation; 0 … 1024
 
     // Machine

@@ -100,6 +100,8 @@ void add_light_options(CLI::App& app, Settings& settings) {
         ->check(CLI::PositiveNumber);
     app.add_flag("--error-map", settings.estimate_error,
                  "Estimate each texel's error and write it beside the light map; costs no rays");
+    add_choice(app, "--denoise", settings.denoise,
+               "Filter noise out where neighbouring texels differ by no more than their errors explain");
     add_choice(app, "--sampler", settings.sampler, "How directions are chosen");
     add_choice(app, "--accelerator", settings.accelerator, "What rays are traced against; never changes the result");
     add_choice(app, "--triangle-test", settings.triangle_test,

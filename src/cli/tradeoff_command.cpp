@@ -28,7 +28,7 @@ struct TradeoffOptions {
 constexpr double reference_error = 0.0005; ///< a tenth of the smallest that is asked for
 constexpr double recommended_error = 0.01;
 
-/// What is tried: rays for all alike, errors asked for, and the thesis's sampler.
+/// What is tried: rays for all alike, errors asked for, both with the denoiser, and the thesis's sampler.
 std::vector<std::pair<std::string, Settings>> sweep(const Settings& given) {
     std::vector<std::pair<std::string, Settings>> points;
     for (const std::uint32_t rays : {16U, 64U, 256U, 1024U}) {
@@ -39,20 +39,31 @@ std::vector<std::pair<std::string, Settings>> sweep(const Settings& given) {
         points.emplace_back(fmt::format("--target-error {}", error), given);
         points.back().second.target_error = error;
     }
+    for (const std::size_t coarse : {0U, 1U, 4U, 5U}) {
+        auto point = points[coarse];
+        point.first += " --denoise on";
+        point.second.denoise = Switch::on;
+        points.push_back(std::move(point));
+    }
     points.emplace_back("--sampler thesis", given);
     points.back().second.sampler = Sampler::thesis;
     return points;
 }
 
 TradePoint measured(const std::string& flags, const Bake& bake, const Bake& reference) {
-    TradePoint point{
-        .flags = flags, .adaptive = bake.settings.target_error.has_value(), .error = compare_bakes(bake, reference)};
+    TradePoint point{.flags = flags,
+                     .adaptive = bake.settings.target_error.has_value(),
+                     .denoised = bake.settings.denoise == Switch::on,
+                     .error = compare_bakes(bake, reference)};
     double samples = 0.0;
     double texels = 0.0;
     for (const LightMap& map : bake.light_maps) {
         samples += static_cast<double>(map.statistics.rays + map.statistics.skipped_directions);
         texels += static_cast<double>(map.statistics.covered_texels);
         point.seconds += map.statistics.seconds;
+    }
+    for (const StageSeconds& stage : bake.stages) {
+        point.seconds += stage.stage == "denoise" ? stage.seconds : 0.0;
     }
     point.rays_a_texel = samples / texels;
     return point;

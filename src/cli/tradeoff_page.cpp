@@ -74,6 +74,13 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
+const char* point_class(const TradePoint& point) {
+    if (point.denoised) {
+        return "denoised";
+    }
+    return point.adaptive ? "adaptive" : "even";
+}
+
 double percent(double share) { return 100.0 * share; }
 
 std::string axes_svg(const Axis& x, const Axis& y) {
@@ -88,7 +95,7 @@ std::string axes_svg(const Axis& x, const Axis& y) {
             "<path class='grid' d='M{1} {0:.1f} H{2}'/><text x='{3}' y='{4:.1f}' text-anchor='end'>{5:g} %</text>\n",
             y.place(value), left_margin, plot_width - right_margin, left_margin - 8.0, y.place(value) + 4.0, value);
     }
-    return svg + fmt::format("<text x='{}' y='{}' text-anchor='middle'>time of tracing</text>\n"
+    return svg + fmt::format("<text x='{}' y='{}' text-anchor='middle'>time of tracing and denoising</text>\n"
                              "<text transform='translate(16 {}) rotate(-90)' text-anchor='middle'>relative error (RMSE "
                              "/ mean)</text>\n",
                              0.5 * (left_margin + plot_width), plot_height - 12.0, 0.5 * plot_height);
@@ -109,8 +116,8 @@ std::string figure_html(const std::string& picture, const std::string& caption) 
 }
 
 constexpr const char* page_style = R"(
-:root{color-scheme:light dark;--ink:#1b1e23;--paper:#fff;--soft:#667;--line:#ccd;--a:#c2410c;--b:#1d4ed8;--mark:#fef3c7}
-@media(prefers-color-scheme:dark){:root{--ink:#e8eaf0;--paper:#15171c;--soft:#9aa3b2;--line:#333a46;--a:#fb923c;--b:#7aa2ff;--mark:#3b3416}}
+:root{color-scheme:light dark;--ink:#1b1e23;--paper:#fff;--soft:#667;--line:#ccd;--a:#c2410c;--b:#1d4ed8;--c:#15803d;--mark:#fef3c7}
+@media(prefers-color-scheme:dark){:root{--ink:#e8eaf0;--paper:#15171c;--soft:#9aa3b2;--line:#333a46;--a:#fb923c;--b:#7aa2ff;--c:#4ade80;--mark:#3b3416}}
 body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:60rem;margin:2rem auto;padding:0 1rem}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 td,th{padding:.3rem .6rem;text-align:right;border-bottom:1px solid var(--line)}
@@ -122,7 +129,8 @@ img{width:26rem;image-rendering:pixelated;border:1px solid var(--line)}figcaptio
 
 constexpr const char* plot_style = R"(<style>
 .plot text{font:13px system-ui,sans-serif;fill:var(--ink,#444)}.plot .grid{stroke:var(--line,#bbb);stroke-width:.6}
-.plot .even{fill:var(--b,#2563eb);stroke:none}.plot .adaptive{fill:var(--a,#ea580c);stroke:none}
+.plot .even{fill:var(--b,#2563eb);stroke:none}.plot .denoised{fill:var(--c,#15803d);stroke:none}
+.plot .adaptive{fill:var(--a,#ea580c);stroke:none}
 .plot .frontier{fill:none;stroke:var(--soft,#888);stroke-width:1.5;stroke-dasharray:5 4}
 </style>
 )";
@@ -130,10 +138,10 @@ constexpr const char* plot_style = R"(<style>
 } // namespace
 
 std::string trade_table(const Trade& trade) {
-    std::string text = fmt::format("{:<22} {:>8} {:>9} {:>8} {:>8} {:>8} {:>9}\n", "", "rays", "seconds", "RMSE %",
+    std::string text = fmt::format("{:<36} {:>8} {:>9} {:>8} {:>8} {:>8} {:>9}\n", "", "rays", "seconds", "RMSE %",
                                    "99th %", "max %", "bias %");
     for (const TradePoint& point : trade.points) {
-        text += fmt::format("{:<22} {:>8.0f} {:>9.2f} {:>8.2f} {:>8.2f} {:>8.1f} {:>+9.3f}{}\n", point.flags,
+        text += fmt::format("{:<36} {:>8.0f} {:>9.2f} {:>8.2f} {:>8.2f} {:>8.1f} {:>+9.3f}{}\n", point.flags,
                             point.rays_a_texel, point.seconds, percent(point.error.relative_rmse),
                             percent(point.error.percentile_99), percent(point.error.maximum), percent(point.error.bias),
                             point.on_frontier ? "  *" : "");
@@ -182,7 +190,7 @@ std::string trade_plot(const Trade& trade) {
         const bool to_left = at_x > 0.72 * plot_width;
         svg += fmt::format("<circle class='{}' cx='{:.1f}' cy='{:.1f}' r='5'/><text x='{:.1f}' y='{:.1f}' "
                            "text-anchor='{}'>{}</text>\n",
-                           point.adaptive ? "adaptive" : "even", at_x, at_y, at_x + (to_left ? -9.0 : 9.0),
+                           point_class(point), at_x, at_y, at_x + (to_left ? -9.0 : 9.0),
                            at_y + (point.adaptive ? 14.0 : -7.0), to_left ? "end" : "start",
                            escaped(point.flags.substr(2)));
     }
@@ -205,7 +213,7 @@ std::string trade_page(const Trade& trade) {
         "against a "
         "bake of 0.05 % error and another seed.</p>\n{4}<p>Blue: the same rays for every texel; orange: rays where "
         "they are "
-        "needed. Dashed: the frontier, nothing that was tried is faster and better.</p>\n"
+        "needed; green: either, denoised. Dashed: the frontier, nothing that was tried is faster and better.</p>\n"
         "<table><thead><tr><th></th><th>rays a texel</th><th>seconds</th><th>RMSE %</th><th>99th %</th><th>max %</th>"
         "<th>bias %</th><th>frontier</th></tr></thead>\n<tbody>\n{5}</tbody></table>\n"
         "<h2>The same detail of the map</h2><p>Left the light, right its error, ten times as bright.</p>\n{6}</html>\n",

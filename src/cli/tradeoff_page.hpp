@@ -29,9 +29,10 @@ struct DetailPlace {
 struct TradePoint {
     std::string flags;
     bool adaptive = false;
+    bool denoised = false;
     BakeError error;
     double rays_a_texel = 0.0;
-    double seconds = 0.0; ///< tracing
+    double seconds = 0.0; ///< tracing and denoising
     bool on_frontier = false;
     std::string picture;
 };

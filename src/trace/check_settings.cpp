@@ -15,11 +15,12 @@ void check_trace_settings(const Settings& settings) {
         }
     };
     require(settings.rays >= 1, "0 rays a texel; give 1 or more");
-    const bool estimated = settings.estimate_error || settings.target_error || settings.seconds;
+    const bool denoised = settings.denoise == Switch::on;
+    const bool estimated = settings.estimate_error || settings.target_error || settings.seconds || denoised;
     require(!estimated || settings.sampler == Sampler::cosine,
-            "no error estimate for the sampler thesis, whose directions are always the same; choose cosine");
+            "no error estimate, which the denoiser needs too, for the sampler thesis, whose directions are always the same; choose cosine");
     const bool adaptive = settings.target_error || settings.seconds;
-    require(!settings.estimate_error || adaptive || settings.rays >= least_estimated_rays,
+    require(!(settings.estimate_error || denoised) || adaptive || settings.rays >= least_estimated_rays,
             "an error estimate of " + std::to_string(settings.rays) + " rays a texel; give 16 or more");
     const auto positive = [](const std::optional<double>& value) {
         return !value || (std::isfinite(*value) && *value > 0.0);

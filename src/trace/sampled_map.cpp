@@ -125,6 +125,20 @@ double SampledMap::standard_error(const Record& record, std::uint32_t rays, doub
     return std::sqrt(variance(contrasts(record.parts, rays), ratio, rays) + least * least);
 }
 
+std::vector<float> SampledMap::variances(std::size_t texels) const {
+    const MapEstimate whole = estimate();
+    double sum = 0.0;
+    for (std::size_t tile = 0; tile < m_tiles.size(); ++tile) {
+        sum += tile_variance(tile, whole.ratio);
+    }
+    const double scale = sum > 0.0 ? whole.variance * static_cast<double>(m_records.size()) / sum : 0.0;
+    std::vector<float> result(texels, 0.0F);
+    each_texel([&](std::uint32_t texel, const Record& record, std::uint32_t rays) {
+        result[texel] = static_cast<float>(scale * variance(contrasts(record.parts, rays), whole.ratio, rays));
+    });
+    return result;
+}
+
 void SampledMap::write_to(LightMap& map) const {
     const MapEstimate whole = estimate();
     const double greatest = greatest_luminance();

@@ -58,6 +58,9 @@ public:
     [[nodiscard]] double tile_variance(std::size_t tile, double ratio) const;
     /// Sets colours, coverage, rays and standard errors of the texels and the error of the map.
     void write_to(LightMap& map) const;
+    /// σ² of each of `texels` texels' luminance as its samples show it, brought to the sum that estimate() has; 0 where
+    /// not baked.
+    [[nodiscard]] std::vector<float> variances(std::size_t texels) const;
 
 private:
     struct Record {

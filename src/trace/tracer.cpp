@@ -147,9 +147,9 @@ struct Tracer::State {
         run(loop, [&](std::size_t tile, std::size_t worker) { workers[worker]->trace(tiles[tile], store); });
     }
 
-    void trace_estimated(const std::vector<TexelTile>& tiles, const Workers& workers, const TraceProgress& progress,
+    void trace_estimated(SampledMap& sampled, const Workers& workers, const TraceProgress& progress,
                          LightMap& map) const {
-        SampledMap sampled(tiles, plan.settings(), plan.max_distance(), intensity);
+        const std::span<const TexelTile> tiles = sampled.tiles();
         std::vector<TileOrder> orders;
         for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
             orders.push_back({static_cast<std::uint32_t>(tile), plan.samples()});
@@ -158,12 +158,11 @@ struct Tracer::State {
         sampled.write_to(map);
     }
 
-    void trace_adaptively(const std::vector<TexelTile>& tiles, const Workers& workers, const TraceProgress& progress,
+    void trace_adaptively(SampledMap& sampled, const Workers& workers, const TraceProgress& progress,
                           std::optional<std::chrono::steady_clock::time_point> deadline, LightMap& map) const {
-        SampledMap sampled(tiles, plan.settings(), plan.max_distance(), intensity);
         const AdaptiveResult result = sample_adaptively(
             sampled, workers, {plan.settings().target_error, deadline}, [&](double share, double error) {
-                if (progress && !progress(share, sum_of(workers).all(), error) && !tiles.empty()) {
+                if (progress && !progress(share, sum_of(workers).all(), error) && sampled.texel_count() > 0) {
                     throw Error(ErrorKind::interrupted, "interrupted");
                 }
             });
@@ -209,7 +208,8 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progress,
-                       std::optional<std::chrono::steady_clock::time_point> deadline) const {
+                       std::optional<std::chrono::steady_clock::time_point> deadline,
+                       std::vector<float>* variance) const {
     const DefaultFloatState float_state;
     const auto start = std::chrono::steady_clock::now();
     const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
@@ -217,10 +217,17 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
 
     LightMap map{.image = empty_image(geometry)};
     const Settings& settings = m_state->plan.settings();
-    if (settings.target_error || deadline) {
-        m_state->trace_adaptively(tiles, workers, progress, deadline, map);
-    } else if (settings.estimate_error) {
-        m_state->trace_estimated(tiles, workers, progress, map);
+    const bool adaptive = settings.target_error || deadline;
+    if (adaptive || settings.estimate_error || settings.denoise == Switch::on) {
+        SampledMap sampled(tiles, m_state->plan.settings(), m_state->plan.max_distance(), m_state->intensity);
+        if (adaptive) {
+            m_state->trace_adaptively(sampled, workers, progress, deadline, map);
+        } else {
+            m_state->trace_estimated(sampled, workers, progress, map);
+        }
+        if (variance != nullptr) {
+            *variance = sampled.variances(map.image.texels.size());
+        }
     } else {
         m_state->trace_plain(tiles, workers, progress, map);
     }

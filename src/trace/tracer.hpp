@@ -60,8 +60,11 @@ public:
     /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called
     /// from the calling thread only. Throws Error{interrupted} where it returned false.
     /// `deadline`: when the rays are to end that Settings::seconds allows; absent, never.
+    /// `variance`: where not null, gets the variance of each texel's luminance as its samples show it (0 where not
+    /// baked), which LightMap::standard_error is made from; empty where errors are not estimated.
     [[nodiscard]] LightMap trace(const GeometryImage& geometry, const TraceProgress& progress = {},
-                                 std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;
+                                 std::optional<std::chrono::steady_clock::time_point> deadline = {},
+                                 std::vector<float>* variance = nullptr) const;
 
     /// What surfaces send to the texels in place of the sky: E/π of one bounce, with rays of its own for each `bounce`
     /// (1, 2 …). Sets the image and, of the statistics, bounce_rays and seconds. Else as trace().

@@ -101,6 +101,7 @@ Json settings_json(const Settings& settings) {
             {"time", or_null(settings.seconds)},
             {"error-map", settings.estimate_error},
             {"seed", settings.seed},
+            {"denoise", name_of(settings.denoise)},
             {"padding", settings.padding}};
 }
 
@@ -111,6 +112,7 @@ Json counts_json(const LightMap& map) {
               {"height", map.image.height},
               {"coverage", texels > 0.0 ? static_cast<double>(statistics.covered_texels) / texels : 0.0},
               {"covered_texels", statistics.covered_texels},
+              {"denoised_texels", statistics.denoised_texels},
               {"filled_texels", statistics.filled_texels},
               {"rays", statistics.rays},
               {"occluded_rays", statistics.occluded_rays},
@@ -126,6 +128,9 @@ Json counts_json(const LightMap& map) {
         json["error"] = {{"relative_rmse", map.error->relative_rmse},
                          {"percentile_99", map.error->percentile_99},
                          {"slope", map.error->slope}};
+        if (map.error->noise_rmse > 0.0) {
+            json["error"]["noise_rmse"] = map.error->noise_rmse;
+        }
         if (map.error->mean_rays > 0.0) {
             json["error"].update({{"target_reached", map.error->target_reached},
                                   {"mean_rays", map.error->mean_rays},
