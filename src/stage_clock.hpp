@@ -33,15 +33,15 @@ public:
     }
 
     /// When the rays of the page that was begun last are to end: what is left is shared by the pages that are left, and
-    /// their dilation is kept free, which takes the device about what the stage took that ran last, the geometry image.
+    /// what follows on the device is kept free: `passes` times what the stage took that ran last, the geometry image.
     /// Absent without a limit.
-    [[nodiscard]] std::optional<Clock::time_point> trace_deadline() const {
+    [[nodiscard]] std::optional<Clock::time_point> trace_deadline(double passes) const {
         if (!m_end) {
             return {};
         }
         const auto left = (*m_end - Clock::now()) / (m_pages - m_page);
         return Clock::now() + std::chrono::duration_cast<Clock::duration>(left) -
-               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(m_last_seconds));
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(passes * m_last_seconds));
     }
 
     template<typename Work>

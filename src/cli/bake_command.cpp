@@ -46,6 +46,9 @@ LightMapFormat format_named(const std::string& name) {
 void print_error(const MapError& error) {
     fmt::print("  {:<24} error {:.2g} %, of the worst texel in a hundred {:.2g} % (estimates)\n", "",
                100.0 * error.relative_rmse, 100.0 * error.percentile_99);
+    if (error.noise_rmse > 0.0) {
+        fmt::print("  {:<24} {:.2g} % before it was denoised\n", "", 100.0 * error.noise_rmse);
+    }
     if (error.mean_rays > 0.0) {
         fmt::print("  {:<24} {:.0f} rays a texel; {:.0f} for all alike would do as well, {:.0f} at best\n", "",
                    error.mean_rays, error.uniform_rays, error.best_mean_rays);

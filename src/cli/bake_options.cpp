@@ -90,8 +90,12 @@ void add_light_options(CLI::App& app, Settings& settings) {
            "Instead of --rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")
         ->check(CLI::PositiveNumber);
     app.add_option_function<std::string>(
-           "--quality", [&settings](const std::string& name) { settings.target_error = quality_error(name); },
-           "A named target error: draft (5 %), preview (2 %), final (0.5 %)")
+           "--quality",
+           [&settings](const std::string& name) { // --denoise comes after it, so that what is said there holds
+               settings.target_error = quality_error(name);
+               settings.denoise = name == "final" ? Switch::off : Switch::on;
+           },
+           "A named target error: draft (5 %), preview (2 %), both denoised then, final (0.5 %)")
         ->check(CLI::IsMember({"draft", "preview", "final"}))
         ->type_name("draft|preview|final");
     app.add_option_function<double>(

@@ -33,11 +33,31 @@ TEST_F(Cli, GivesTheErrorThatIsAskedForAndWritesIt) {
     }
 }
 
+TEST_F(Cli, DenoisesQuickBakesUnlessToldNotTo) {
+    const std::vector<std::string> quick{
+        "bake", scene("test/corner.glb"), "-o", in_folder("out"), "--size", "32", "--quality", "draft"};
+    ASSERT_EQ(run_vkbake(quick).status, 0);
+    const std::string denoised = text_of(m_folder / "out/manifest.json");
+    EXPECT_NE(denoised.find("\"denoise\": \"on\""), std::string::npos);
+    EXPECT_NE(denoised.find("\"noise_rmse\""), std::string::npos);
+    EXPECT_EQ(denoised.find("\"denoised_texels\": 0"), std::string::npos);
+
+    std::vector<std::string> plain = quick;
+    plain.insert(plain.begin() + 2, {"--denoise", "off"}); // wherever it stands
+    ASSERT_EQ(run_vkbake(plain).status, 0);
+    const std::string manifest = text_of(m_folder / "out/manifest.json");
+    EXPECT_NE(manifest.find("\"denoise\": \"off\""), std::string::npos);
+    EXPECT_EQ(manifest.find("\"noise_rmse\""), std::string::npos);
+    EXPECT_NE(manifest.find("\"denoised_texels\": 0"), std::string::npos);
+}
+
 TEST_F(Cli, RefusesWhatContradictsAnErrorEstimate) {
     for (const std::vector<std::string>& flags :
          std::vector<std::vector<std::string>>{{"--target-error", "0"},
                                                {"--target-error", "0.01", "--sampler", "thesis"},
                                                {"--error-map", "--rays", "15"},
+                                               {"--denoise", "on", "--rays", "15"},
+                                               {"--denoise", "on", "--sampler", "uniform"},
                                                {"--time", "5", "--bounces", "1"},
                                                {"--quality", "best"}}) {
         std::vector<std::string> arguments{"bake", scene("test/plane.glb")};
