@@ -11,6 +11,7 @@
 #include "material/surface_colors.hpp"
 #include "trace/sky_peaks.hpp"
 #include "trace/surface_opacity.hpp"
+#include "vkbake/names.hpp"
 
 namespace vkbake {
 
@@ -62,7 +63,7 @@ PlanEntry plan_sun(const Sky& sky, const Settings& settings) {
         return {"sun", false, "mode ao has no light"};
     }
     if (settings.sampler != Sampler::cosine) {
-        return {"sun", false, "the sampler thesis looks for none"};
+        return {"sun", false, "the sampler " + std::string(name_of(settings.sampler)) + " looks for none"};
     }
     const PeakCut cut = find_peaks(make_sky_lookup(sky));
     if (!cut.worthwhile()) {

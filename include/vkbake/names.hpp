@@ -54,8 +54,10 @@ struct Names<Alpha> {
 
 template<>
 struct Names<Sampler> {
-    static constexpr std::array<std::pair<std::string_view, Sampler>, 2> values{
-        {{"cosine", Sampler::cosine}, {"thesis", Sampler::thesis}}};
+    static constexpr std::array<std::pair<std::string_view, Sampler>, 4> values{{{"cosine", Sampler::cosine},
+                                                                                 {"stratified", Sampler::stratified},
+                                                                                 {"uniform", Sampler::uniform},
+                                                                                 {"thesis", Sampler::thesis}}};
 };
 
 template<>

@@ -23,7 +23,14 @@ enum class Alpha : std::uint8_t {
     traced,
     opaque
 }; ///< traced: MASK, BLEND and transmission are looked up where rays meet them; opaque: all is whole
-enum class Sampler : std::uint8_t { cosine, thesis };
+enum class Sampler : std::uint8_t {
+    cosine,
+    stratified,
+    uniform,
+    thesis
+}; ///< cosine: scrambled Sobol points, spread by the cosine; stratified: random points, one in each of N cells,
+   ///< likewise; uniform: independent directions, spread evenly; thesis: its own 256. All but cosine are there to be
+   ///< measured
 enum class Accelerator : std::uint8_t { bvh, clusters, brute };
 enum class TriangleTest : std::uint8_t { watertight, moller_trumbore };
 

@@ -18,7 +18,7 @@ void check_trace_settings(const Settings& settings) {
     const bool denoised = settings.denoise == Switch::on;
     const bool estimated = settings.estimate_error || settings.target_error || settings.seconds || denoised;
     require(!estimated || settings.sampler == Sampler::cosine,
-            "no error estimate, which the denoiser needs too, for the sampler thesis, whose directions are always the same; choose cosine");
+            "no error estimate, which the denoiser needs too, for samplers without a sequence; choose the sampler cosine");
     const bool adaptive = settings.target_error || settings.seconds;
     require(!(settings.estimate_error || denoised) || adaptive || settings.rays >= least_estimated_rays,
             "an error estimate of " + std::to_string(settings.rays) + " rays a texel; give 16 or more");

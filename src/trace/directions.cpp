@@ -111,6 +111,13 @@ HWY_INLINE Vector3 cosine_hemisphere(Vector x, Vector y) {
     return {hn::IfThenElse(wide, along, across), hn::IfThenElse(wide, across, along), height};
 }
 
+/// The same point of the disk on the hemisphere of which each part has its share.
+HWY_INLINE Vector3 even_hemisphere(const Vector3& cosine_weighted) {
+    const Vector height = cosine_weighted.z * cosine_weighted.z;
+    const Vector widening = hn::Sqrt(set(1.0F) + height);
+    return {cosine_weighted.x * widening, cosine_weighted.y * widening, height};
+}
+
 /// The frames of a part of the lanes.
 class Frames {
 public:
@@ -222,6 +229,26 @@ std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables&
     return static_cast<std::uint32_t>(count);
 }
 
+std::uint32_t lifted_points(bool even, const TileLanes& lanes, RayBlock& block) {
+    StratumBits above{};
+    for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+        const Frames frames(lanes, first);
+        for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+            const Vector3 point = load(block.direction[i], first);
+            const Vector3 local = cosine_hemisphere(point.x, point.y);
+            const Vector3 direction = frames.to_world(even ? even_hemisphere(local) : local);
+            store(direction, block.direction[i], first);
+            above[i] |= bits_at(first, frames.above(direction));
+        }
+    }
+    int count = 0;
+    for (std::size_t i = 0; i < RayBlock::strata; ++i) {
+        count += std::popcount(block.active[i]);
+        block.active[i] = static_cast<RayBlock::LaneBits>(block.active[i] & above[i]);
+    }
+    return static_cast<std::uint32_t>(count);
+}
+
 std::uint32_t thesis_directions(const ThesisDirections& directions, const TileLanes& lanes, std::size_t number,
                                 RayBlock& block) {
     std::array<unsigned, RayBlock::strata> active{};
@@ -249,6 +276,7 @@ namespace vkbake {
 HWY_EXPORT(invert_scrambles);
 HWY_EXPORT(cosine_directions);
 HWY_EXPORT(square_points);
+HWY_EXPORT(lifted_points);
 HWY_EXPORT(thesis_directions);
 
 void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, StratumTables& tables) {
@@ -263,6 +291,10 @@ std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& ta
 void set_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,
                 RayBlock& block, SampleIndices* indices) {
     HWY_DYNAMIC_DISPATCH(square_points)(strata, tables, lanes, number, block, indices);
+}
+
+std::uint32_t lift_points(bool even, const TileLanes& lanes, RayBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(lifted_points)(even, lanes, block);
 }
 
 std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes, std::size_t number,

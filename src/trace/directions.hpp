@@ -47,6 +47,10 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
 void set_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,
                 RayBlock& block, SampleIndices* indices = nullptr);
 
+/// From points that stand in the block as set_points leaves them, all in `active`: directions cosine-weighted as above
+/// or, where `even`, of density 1 / 2π. Returns how many were active.
+[[nodiscard]] std::uint32_t lift_points(bool even, const TileLanes& lanes, RayBlock& block);
+
 /// The thesis's; all of the covered lanes' are asked for.
 [[nodiscard]] std::uint32_t set_directions(const ThesisDirections& directions, const TileLanes& lanes,
                                            std::size_t number, RayBlock& block);

@@ -18,9 +18,9 @@ void GatherTracer::sum_up(const TexelTile& tile) {
             for (unsigned left = met[stratum]; left != 0; left &= left - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(left));
                 const Ray ray = ray_of(block, stratum, lane);
+                const double weight = weights[stratum] * m_rays.weight(stratum, lane);
                 for (const SeenSurface& seen : m_visibility->surfaces(ray, m_scratch)) {
-                    m_sums[lane] +=
-                        weights[stratum] * (glm::dvec3(seen.share) * glm::dvec3(m_light->along(ray, seen.hit)));
+                    m_sums[lane] += weight * (glm::dvec3(seen.share) * glm::dvec3(m_light->along(ray, seen.hit)));
                 }
             }
         }

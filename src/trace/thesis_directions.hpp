@@ -30,7 +30,8 @@ public:
 
     ThesisDirections();
 
-    static constexpr std::size_t block_count = count / RayBlock::strata;
+    [[nodiscard]] static constexpr std::size_t block_count() { return count / RayBlock::strata; }
+    [[nodiscard]] static constexpr std::uint32_t rays() { return count; }
     /// Each block of 16 holds 4 neighbouring φ, of each 4 neighbouring θ.
     [[nodiscard]] const Sample& sample(std::size_t block, std::size_t stratum) const {
         return m_samples[block * RayBlock::strata + stratum];

@@ -6,9 +6,12 @@ namespace vkbake {
 
 namespace {
 
-std::variant<CosineStrata, ThesisDirections> make_directions(const Settings& settings, std::uint32_t first) {
+RayPlan::Directions make_directions(const Settings& settings, std::uint32_t first) {
     if (settings.sampler == Sampler::thesis) {
         return ThesisDirections();
+    }
+    if (settings.sampler != Sampler::cosine) {
+        return RandomPoints(settings.sampler, settings.rays);
     }
     return CosineStrata(settings.rays, first);
 }
@@ -19,13 +22,11 @@ RayPlan::RayPlan(const Settings& settings, float max_distance, std::uint32_t fir
     : m_settings(settings), m_max_distance(max_distance), m_directions(make_directions(settings, first)) {}
 
 std::size_t RayPlan::block_count() const {
-    const auto* cosine = std::get_if<CosineStrata>(&m_directions);
-    return cosine != nullptr ? cosine->block_count() : ThesisDirections::block_count;
+    return std::visit([](const auto& directions) { return directions.block_count(); }, m_directions);
 }
 
 std::uint32_t RayPlan::samples() const {
-    const auto* cosine = std::get_if<CosineStrata>(&m_directions);
-    return cosine != nullptr ? cosine->rays() : ThesisDirections::count;
+    return std::visit([](const auto& directions) { return directions.rays(); }, m_directions);
 }
 
 std::uint32_t RayPlan::first() const {
@@ -35,7 +36,7 @@ std::uint32_t RayPlan::first() const {
 
 std::uint64_t RayPlan::full_strata() const {
     const auto* cosine = std::get_if<CosineStrata>(&m_directions);
-    return cosine != nullptr ? cosine->full_count() : ThesisDirections::count;
+    return cosine != nullptr ? cosine->full_count() : samples();
 }
 
 double RayPlan::scale() const {
@@ -51,6 +52,11 @@ RayPlan::Weights RayPlan::weights(std::size_t block) const {
         }
     }
     return weights;
+}
+
+bool RayPlan::weighs_rays() const {
+    const auto* random = std::get_if<RandomPoints>(&m_directions);
+    return random != nullptr && random->even();
 }
 
 TileRays::TileRays(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan)
@@ -70,10 +76,25 @@ void TileRays::begin(const TexelTile& tile) {
 const RayBlock& TileRays::make(std::size_t block, SampleIndices* indices) {
     if (const auto* cosine = std::get_if<CosineStrata>(&m_plan->directions())) {
         m_asked = set_directions(*cosine, m_tables, m_lanes, block, m_block, indices);
+    } else if (const auto* random = std::get_if<RandomPoints>(&m_plan->directions())) {
+        random->set_points(m_lanes, block, m_block);
+        m_asked = lift_points(random->even(), m_lanes, m_block);
     } else {
         m_asked = set_directions(*std::get_if<ThesisDirections>(&m_plan->directions()), m_lanes, block, m_block);
     }
     return m_block;
+}
+
+double TileRays::weight(std::size_t stratum, std::size_t lane) const {
+    if (!m_plan->weighs_rays()) {
+        return 1.0;
+    }
+    double cosine = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        cosine += static_cast<double>(m_block.direction[stratum][axis][lane]) *
+                  static_cast<double>(m_lanes.normal[axis][lane]);
+    }
+    return 2.0 * cosine;
 }
 
 } // namespace vkbake

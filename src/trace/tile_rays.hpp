@@ -9,6 +9,7 @@
 #include "bvh/ray_block.hpp"
 #include "trace/cosine_strata.hpp"
 #include "trace/directions.hpp"
+#include "trace/random_points.hpp"
 #include "trace/texel_tiles.hpp"
 #include "trace/thesis_directions.hpp"
 #include "trace/tile_lanes.hpp"
@@ -22,6 +23,7 @@ namespace vkbake {
 class RayPlan {
 public:
     using Weights = std::array<double, RayBlock::strata>;
+    using Directions = std::variant<CosineStrata, RandomPoints, ThesisDirections>;
 
     /// Of the settings it takes sampler, rays and seed. `max_distance`: bake frame. `first`: the samples below it are
     /// left out; sampler cosine only, as in CosineStrata.
@@ -29,7 +31,7 @@ public:
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     [[nodiscard]] float max_distance() const { return m_max_distance; }
-    [[nodiscard]] const std::variant<CosineStrata, ThesisDirections>& directions() const { return m_directions; }
+    [[nodiscard]] const Directions& directions() const { return m_directions; }
     /// Blocks a tile.
     [[nodiscard]] std::size_t block_count() const;
     [[nodiscard]] std::uint32_t samples() const; ///< a texel, those left out with them
@@ -41,11 +43,13 @@ public:
     [[nodiscard]] double scale() const;
     /// Of one block's strata.
     [[nodiscard]] Weights weights(std::size_t block) const;
+    /// Whether each ray has a weight of its own beside its stratum's: TileRays::weight.
+    [[nodiscard]] bool weighs_rays() const;
 
 private:
     Settings m_settings;
     float m_max_distance;
-    std::variant<CosineStrata, ThesisDirections> m_directions;
+    Directions m_directions;
 };
 
 /// One tile after the other; for each its blocks of rays in any order. For one thread; allocates nothing after it is
@@ -67,6 +71,8 @@ public:
     /// `block` < plan.block_count(). Holds until the next call. Active are the samples that lie above their texel's
     /// geometric plane. Where `indices` is not null it is filled; sampler cosine only.
     const RayBlock& make(std::size_t block, SampleIndices* indices = nullptr);
+    /// Of a ray of the last block, beside its stratum's; 1 unless the plan weighs rays.
+    [[nodiscard]] double weight(std::size_t stratum, std::size_t lane) const;
     /// The samples of the last block, those below the plane with them.
     [[nodiscard]] std::uint32_t asked() const { return m_asked; }
     [[nodiscard]] const TileLanes& lanes() const { return m_lanes; }

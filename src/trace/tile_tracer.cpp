@@ -57,6 +57,9 @@ void TileTracer::sum_up(const TexelTile& tile) {
         if (m_visibility->filters()) {
             add_dimmed(block, weights, open);
         }
+        if (m_plan->weighs_rays()) {
+            add_weighted(block, open);
+        }
         add_sky(*m_sky, block, open, weights, m_sums, m_with_parts ? &m_luminance : nullptr);
         if (m_with_parts) {
             add_parts(open, blocked);
@@ -85,11 +88,22 @@ void TileTracer::add_dimmed(const RayBlock& block, const RayPlan::Weights& weigh
             const glm::dvec3 light =
                 grey ? glm::dvec3(luminance(through))
                      : through * glm::dvec3(radiance(*m_sky, ray_of(block, stratum, lane).direction));
-            m_dimmed[lane] += weights[stratum] * light;
+            m_dimmed[lane] += weights[stratum] * m_rays.weight(stratum, lane) * light;
             if (m_with_parts) {
                 add_to_part(stratum, lane, luminance(light));
             }
         }
+    }
+}
+
+void TileTracer::add_weighted(const RayBlock& block, BlockedRays& open) {
+    for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
+        for (unsigned bits = open[stratum]; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            const glm::dvec3 light(radiance(*m_sky, ray_of(block, stratum, lane).direction));
+            m_dimmed[lane] += m_rays.weight(stratum, lane) * light;
+        }
+        open[stratum] = 0;
     }
 }
 

@@ -114,6 +114,8 @@ private:
     }
     /// Adds the rays of a block that come dimmed, and takes them out of `open`.
     void add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open);
+    /// Adds the rays of a block one by one, each with its own weight, and takes them out of `open`.
+    void add_weighted(const RayBlock& block, BlockedRays& open);
     /// Adds a block's rays to the parts that their samples belong to.
     void add_parts(const BlockedRays& open, const BlockedRays& blocked);
     /// Adds a sample that light came along.
@@ -129,7 +131,7 @@ private:
     TileRays m_rays;
     VisibilityScratch m_scratch;
     LaneSums m_sums;
-    std::array<glm::dvec3, RayBlock::lanes> m_dimmed{}; ///< sums of what comes through surfaces
+    std::array<glm::dvec3, RayBlock::lanes> m_dimmed{}; ///< sums of what comes through surfaces, or is weighted
     bool m_with_parts = false;
     LaneParts m_parts;
     SampleIndices m_indices;

@@ -122,7 +122,8 @@ void visit_samples(const Settings& settings, std::uint32_t texels, const glm::ve
                     if (((block.active[i % 16] >> lane) & 1U) != 0) {
                         const auto& rows = block.direction[i % 16];
                         visit(tile.texels[lane], i,
-                              Sample{{rows[0][lane], rows[1][lane], rows[2][lane]}, weights[i % 16]});
+                              Sample{{rows[0][lane], rows[1][lane], rows[2][lane]},
+                                     weights[i % 16] * rays.weight(i % 16, lane)});
                     }
                 }
             }
@@ -216,6 +217,55 @@ TEST(CosineSampler, OneTexelsSamplesIntegrateASmoothFunctionFarBetterThanChance)
             squares += std::pow(sum / count - 2.0 / 3.0, 2.0);
         }
         EXPECT_LT(std::sqrt(squares / 200.0), 0.25 * std::sqrt(1.0 / 18.0 / count)) << count;
+    }
+}
+
+/// Of a texel's samples: the estimate of ∫ cos² θ dω / π = 2/3, over many texels.
+struct CosineMean {
+    double mean = 0.0;
+    double deviation = 0.0; ///< of one texel's from 2/3
+};
+CosineMean cosine_mean(Sampler sampler, std::uint32_t count) {
+    constexpr std::uint32_t texels = 400;
+    Settings settings;
+    settings.sampler = sampler;
+    settings.rays = count;
+    std::vector<double> sums(texels, 0.0);
+    std::vector<std::uint32_t> samples(texels, 0);
+    const glm::vec3 normal = glm::normalize(glm::vec3(0.3F, -0.8F, 0.5F));
+    visit_samples(settings, texels, normal, 0, count - 1, [&](std::uint32_t texel, std::size_t, const Sample& sample) {
+        sums[texel] += sample.weight * glm::dot(glm::dvec3(sample.direction), glm::dvec3(normal));
+        ++samples[texel];
+    });
+    CosineMean result;
+    for (std::uint32_t texel = 0; texel < texels; ++texel) {
+        EXPECT_EQ(samples[texel], count);
+        const double off = sums[texel] / count - 2.0 / 3.0;
+        result.mean += (off + 2.0 / 3.0) / texels;
+        result.deviation += off * off / texels;
+    }
+    result.deviation = std::sqrt(result.deviation);
+    return result;
+}
+
+TEST(RandomSamplers, UniformOnesScatterAsIndependentOnesDo) {
+    // Evenly spread, weight 2 cos θ: 2 cos² θ has the variance 4 (1/5 − 1/9) = 16/45.
+    for (const std::uint32_t count : {1U, 50U, 256U}) {
+        const double chance = std::sqrt(16.0 / 45.0 / count);
+        const CosineMean found = cosine_mean(Sampler::uniform, count);
+        EXPECT_NEAR(found.mean, 2.0 / 3.0, 5.0 * chance / 20.0) << count;
+        EXPECT_NEAR(found.deviation / chance, 1.0, 0.2) << count; // of 400: five standard errors
+    }
+}
+
+TEST(RandomSamplers, StratifiedOnesScatterByTheirCellAlone) {
+    // In a cell of side 1/√N a smooth function varies by 1/√N of what it does in all: an error of a few times 1/N in
+    // place of 1/√N (a few: cos θ is steep at the rim). So also where N cells make no square.
+    for (const std::uint32_t count : {1U, 50U, 100U, 256U}) {
+        const double chance = std::sqrt(1.0 / 18.0 / count);
+        const CosineMean found = cosine_mean(Sampler::stratified, count);
+        EXPECT_NEAR(found.mean, 2.0 / 3.0, 5.0 * chance / 20.0) << count;
+        EXPECT_LT(found.deviation, 5.0 * chance / std::sqrt(count)) << count;
     }
 }
 

@@ -1,0 +1,116 @@
+// What the denoiser is worth: the error of denoised bakes beside that of plain ones which take the same time, and
+// beside what the denoised ones tell of themselves.
+//   vkbake_denoised SIZE 'SKY[;SKY…]' SCENE…
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "accuracy/measure.hpp"
+
+namespace {
+
+using namespace vkbake;
+using namespace vkbake::accuracy;
+
+constexpr double reference_error = 0.002;
+constexpr std::array<double, 3> targets{0.05, 0.02, 0.01};
+
+/// Tracing and denoising.
+double light_seconds(const Bake& bake) {
+    double seconds = trace_seconds(bake);
+    for (const StageSeconds& stage : bake.stages) {
+        seconds += stage.stage == "denoise" ? stage.seconds : 0.0;
+    }
+    return seconds;
+}
+
+/// Over all maps, as they tell it.
+double told_error(const Bake& bake) {
+    double squares = 0.0;
+    double light = 0.0;
+    double texels = 0.0;
+    for (const LightMap& map : bake.light_maps) {
+        const auto covered = static_cast<double>(map.statistics.covered_texels);
+        double mean = 0.0;
+        for (std::size_t texel = 0; texel < map.image.texels.size(); ++texel) {
+            if (map.image.coverage[texel] > 0.5F) {
+                const glm::dvec4 color(map.image.texels[texel]);
+                mean += (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b) / covered;
+            }
+        }
+        squares += covered * std::pow(map.error->relative_rmse * mean, 2.0);
+        light += covered * mean;
+        texels += covered;
+    }
+    return std::sqrt(squares * texels) / light;
+}
+
+void measure(const std::string& file, const std::string& sky_name, int size, const Device& device) {
+    const Scene scene = load_scene(file);
+    const Sky sky = load_sky(sky_name);
+    Settings settings;
+    settings.size = size;
+    settings.seed = 1000;
+    settings.target_error = reference_error;
+    const Bake reference = bake(scene, sky, settings, device);
+    settings.seed = 0;
+    std::vector<std::pair<double, double>> plain; // seconds, error
+    for (const double target : targets) {
+        settings.target_error = target;
+        const Bake result = bake(scene, sky, settings, device);
+        plain.emplace_back(light_seconds(result), compare_bakes(result, reference).relative_rmse);
+    }
+    settings.denoise = Switch::on;
+    for (std::size_t i = 0; i + 1 < targets.size(); ++i) {
+        settings.target_error = targets[i];
+        const Bake result = bake(scene, sky, settings, device);
+        const BakeError error = compare_bakes(result, reference);
+        const double seconds = light_seconds(result);
+        const double share = std::log(seconds / plain[i].first) / std::log(plain[i + 1].first / plain[i].first);
+        const double same_time = plain[i].second * std::pow(plain[i + 1].second / plain[i].second, share);
+        double texels = 0.0;
+        for (const LightMap& map : result.light_maps) {
+            texels += static_cast<double>(map.statistics.covered_texels);
+        }
+        fmt::print(
+            "| {}, {} | {:.1f} | {:g} % | {:.2f} % | {:.2f} % | {:.2f} | {:.2f} | {:+.3f} % | {:.2f} s + {:.2f} s |\n",
+            std::filesystem::path(file).stem().string(), std::filesystem::path(sky_name).stem().string(),
+            texels / result.atlas.chart_count, 100.0 * targets[i], 100.0 * plain[i].second, 100.0 * error.relative_rmse,
+            error.relative_rmse / same_time, told_error(result) / error.relative_rmse, 100.0 * error.bias,
+            trace_seconds(result), seconds - trace_seconds(result));
+        std::fflush(stdout);
+    }
+}
+
+} // namespace
+
+int main(int argument_count, char** arguments) {
+    if (argument_count < 4) {
+        fmt::print(stderr, "usage: vkbake_denoised SIZE 'SKY[;SKY...]' SCENE...\n");
+        return EXIT_FAILURE;
+    }
+    try {
+        const Device device = open_device();
+        fmt::print(
+            "| scene, sky | texels a chart | asked | plain | denoised | denoised / plain of the same time | told / "
+            "true | bias | tracing + denoising |\n|---|---|---|---|---|---|---|---|---|\n");
+        for (int scene = 3; scene < argument_count; ++scene) {
+            std::istringstream skies(arguments[2]);
+            for (std::string sky; std::getline(skies, sky, ';');) {
+                measure(arguments[scene], sky, std::atoi(arguments[1]), device);
+            }
+        }
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
+}
