@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What bakes take at the most beside what `vkbake inspect` foretells (src/memory_plan.cpp): a table.
+# What bakes take at the most beside what `vkbake inspect` foretells (src/memory_plan.cpp): a table. Fails where one takes
+# more.
 #   tools/extremes/memory.sh SCENE SIZE… [-- FLAGS…]
 set -euo pipefail
 scene=$1
@@ -26,7 +27,9 @@ if child == 0:
     os.execv(program, [program, "bake", scene, "--size", size, "--rays", "1", "--quiet", "--memory-limit", "1T",
                        "-o", folder + "/out", *flags])
 _, status, usage = os.wait4(child, 0)
-peak = usage.ru_maxrss >> 10 if status == 0 else "failed"
-print(f"| {os.path.basename(scene)} | {said['triangles']} | {size} | {said['memory'] >> 20} | {peak} |", flush=True)
+peak = usage.ru_maxrss >> 10 if status == 0 else None
+foretold = said["memory"] >> 20
+print(f"| {os.path.basename(scene)} | {said['triangles']} | {size} | {foretold} | {peak or 'failed'} |", flush=True)
+sys.exit(peak is None or peak > foretold)
 PYTHON
 done
