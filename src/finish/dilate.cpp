@@ -38,15 +38,40 @@ Rectangle with_border(const Rectangle& inner, int border, const Image& image) {
             std::min(inner.y + inner.height + border, image.height) - top};
 }
 
-bool any_texel(const Image& image, const Rectangle& area, bool filled) {
+Rectangle intersection(const Rectangle& a, const Rectangle& b) {
+    const int left = std::max(a.x, b.x);
+    const int top = std::max(a.y, b.y);
+    return {left, top, std::max(std::min(a.x + a.width, b.x + b.width) - left, 0),
+            std::max(std::min(a.y + a.height, b.y + b.height) - top, 0)};
+}
+
+/// The least rectangle that holds those of the area's texels that are filled, or those that are not; 0 by 0 where none
+/// are.
+Rectangle box_of(const Image& image, const Rectangle& area, bool filled) {
+    int left = area.x + area.width;
+    int right = area.x;
+    int top = area.y + area.height;
+    int bottom = area.y;
     for (int y = area.y; y < area.y + area.height; ++y) {
         for (int x = area.x; x < area.x + area.width; ++x) {
             if (is_filled(image.texels[image.index(x, y)]) == filled) {
-                return true;
+                left = std::min(left, x);
+                right = std::max(right, x + 1);
+                top = std::min(top, y);
+                bottom = y + 1;
             }
         }
     }
-    return false;
+    return left < right ? Rectangle{left, top, right - left, bottom - top} : Rectangle{};
+}
+
+/// Of a tile what the rounds may reach: its empty texels that are no farther from a filled one.
+Rectangle within_reach(const Image& image, const Rectangle& tile, int border) {
+    const Rectangle filled = box_of(image, with_border(tile, border, image), true);
+    if (filled.width == 0) {
+        return {};
+    }
+    return box_of(image, intersection(tile, with_border(filled, border, image)), false);
 }
 
 /// The device's memory for one tile, used for all.
@@ -154,10 +179,11 @@ std::uint64_t dilate(gpu::Context& context, Image& image, const DilateSettings& 
     Rectangle largest;
     for (int y = 0; y < image.height; y += settings.tile) {
         for (int x = 0; x < image.width; x += settings.tile) {
-            const Rectangle inner{x, y, std::min(settings.tile, image.width - x),
-                                  std::min(settings.tile, image.height - y)};
-            const Rectangle area = with_border(inner, border, image);
-            if (border > 0 && any_texel(image, inner, false) && any_texel(image, area, true)) {
+            const Rectangle tile{x, y, std::min(settings.tile, image.width - x),
+                                 std::min(settings.tile, image.height - y)};
+            const Rectangle inner = border > 0 ? within_reach(image, tile, border) : Rectangle{};
+            if (inner.width > 0) {
+                const Rectangle area = with_border(inner, border, image);
                 tiles.push_back(inner);
                 largest.width = std::max(largest.width, area.width);
                 largest.height = std::max(largest.height, area.height);

@@ -80,6 +80,16 @@ TEST(Dilate, EqualsTheReferenceForEveryShareOfFilledTexels) {
     }
 }
 
+TEST(Dilate, ATexelBesideATilesBorderReachesAllTilesAround) {
+    for (const int x : {0, 15, 16, 17, 39}) {
+        for (const int y : {0, 16, 31}) {
+            Image image = random_map(40, 40, 0.0, 19);
+            image.texels[image.index(x, y)] = {1.0F, 2.0F, 3.0F, 1.0F};
+            expect_equals_reference(image, 3, 16);
+        }
+    }
+}
+
 TEST(Dilate, EqualsTheReferenceOverManyRounds) {
     // More than are submitted together, and more than the map is long.
     Image image = random_map(90, 31, 0.0, 13);
