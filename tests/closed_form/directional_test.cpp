@@ -165,8 +165,10 @@ TEST(Directional, BouncesAreInIt) {
             const double radiance = double{map.image.texels[texel][channel]};
             const LightAbove light = light_of(map.directional, texel, channel);
             ASSERT_NEAR(light.all, 2.0 * pi * radiance, 1e-5 * radiance);
-            ASSERT_LT(glm::length(light.vector - pi * radiance * glm::dvec3(geometry.shading_normal[texel])),
-                      0.1 * radiance);
+            if (!test::few_samples) {
+                ASSERT_LT(glm::length(light.vector - pi * radiance * glm::dvec3(geometry.shading_normal[texel])),
+                          0.1 * radiance);
+            }
         }
         ASSERT_EQ(map.directional[3].texels[texel].a, 1.0F);
     }
