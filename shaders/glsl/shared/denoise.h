@@ -14,7 +14,7 @@ using uint = std::uint32_t;
 // Texels on each side of the one that is looked at: in which means are taken, a plane is fitted, its risk is judged.
 #define DENOISE_GUIDE_RADIUS 1
 #define DENOISE_FIT_RADIUS 3
-#define DENOISE_RISK_RADIUS 2
+#define DENOISE_RISK_RADIUS 4
 // From so far away a texel's result can depend on another.
 #define DENOISE_BORDER (DENOISE_GUIDE_RADIUS + DENOISE_FIT_RADIUS + DENOISE_RISK_RADIUS)
 
