@@ -90,8 +90,9 @@ public:
                                                                const Poll& poll) const = 0;
 };
 
-/// What the module exports, under this name; its file's name carries the version, so both sides agree on Codec.
+/// What the module exports, under this name; never null. Its file's name carries the version, so both sides agree on
+/// Codec.
 constexpr const char* codec_entry = "vkbake_codec";
-using CodecEntry = const Codec& (*)();
+using CodecEntry = const Codec* (*)();
 
 } // namespace vkbake

@@ -41,7 +41,7 @@ public:
 } // namespace vkbake
 
 // NOLINTNEXTLINE(misc-use-internal-linkage): found by its name (vkbake::codec_entry)
-extern "C" const vkbake::Codec& vkbake_codec() {
+extern "C" const vkbake::Codec* vkbake_codec() {
     static const vkbake::OpenImageIOCodec codec;
-    return codec;
+    return &codec;
 }

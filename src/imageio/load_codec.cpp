@@ -39,7 +39,7 @@ const Codec& load() {
                     "reading and writing images: " + std::string(reason != nullptr ? reason : module_file) +
                         "; install vkbake's libraries together, and OpenImageIO");
     }
-    return reinterpret_cast<CodecEntry>(entry)();
+    return *reinterpret_cast<CodecEntry>(entry)();
 }
 
 } // namespace
