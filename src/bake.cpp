@@ -10,6 +10,7 @@
 #include "lamp_notes.hpp"
 #include "memory_plan.hpp"
 #include "opacity.hpp"
+#include "probes.hpp"
 #include "stage_clock.hpp"
 #include "surface/make_surface.hpp"
 #include "surface/resolution.hpp"
@@ -83,6 +84,9 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
         add_directional(tracer, sent, draw, clock, bake);
     }
     sent = {};
+    if (has_probes(scene, settings)) {
+        add_probes(scene, tracer, draw, clock, bake);
+    }
     geometry = {}; // two thirds of the page's memory, which the next steps need
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);

@@ -118,6 +118,18 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
     return sent;
 }
 
+SentLight light_from_maps(const Scene& scene, const std::function<const GeometryImage&(std::size_t)>& draw,
+                          const Bake& bake) {
+    SentLight sent{.pages = {}, .two_sided = two_sided_parts(scene, bake.surface)};
+    const std::vector<ColorTexture> textures = decode_textures(scene, bake.settings.alpha);
+    for (std::size_t page = 0; page < bake.light_maps.size(); ++page) {
+        sent.pages.push_back(
+            leaving(bake.light_maps[page].image,
+                    make_surface_colors(scene, bake.surface, draw(page), textures, bake.settings.alpha), true));
+    }
+    return sent;
+}
+
 void add_directional(const Tracer& tracer, const SentLight& sent,
                      const std::function<const GeometryImage&(std::size_t)>& draw, StageClock& clock, Bake& bake) {
     const std::size_t pages = bake.light_maps.size();

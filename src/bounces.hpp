@@ -27,6 +27,10 @@ struct SentLight {
 SentLight add_bounces(const Scene& scene, const Tracer& tracer,
                       const std::function<const GeometryImage&(std::size_t)>& draw, StageClock& clock, Bake& bake);
 
+/// What surfaces send of the light that the light maps, not dilated yet, say that arrives at them, and what they emit.
+[[nodiscard]] SentLight light_from_maps(const Scene& scene,
+                                        const std::function<const GeometryImage&(std::size_t)>& draw, const Bake& bake);
+
 /// Sets LightMap::directional of maps that are not dilated yet. `sent`: add_bounces'.
 void add_directional(const Tracer& tracer, const SentLight& sent,
                      const std::function<const GeometryImage&(std::size_t)>& draw, StageClock& clock, Bake& bake);

@@ -80,7 +80,7 @@ double expected_coverage(const Atlas& atlas, std::uint32_t page) {
 
 /// A texel, at the most.
 std::uint64_t rays_to_lamps(const Scene& scene, const Settings& settings, std::uint64_t rays_a_soft_one) {
-    if (settings.mode == Mode::ao || settings.lamps == Switch::off) {
+    if (settings.mode != Mode::irradiance || settings.lamps == Switch::off) {
         return 0;
     }
     std::uint64_t rays = 0;

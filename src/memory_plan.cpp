@@ -5,6 +5,7 @@
 
 #include "base/machine_memory.hpp"
 #include "opacity.hpp"
+#include "probes.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -22,8 +23,8 @@ constexpr std::uint64_t triangle_bytes = 500;
 constexpr std::uint64_t sky_texel_bytes = 12;
 /// Of every map until all are written: RGBA and coverage 20, its 8-bit picture as PNG and in the .glb up to 9.
 constexpr std::uint64_t map_texel_bytes = 29;
-/// Of every map while bounces are traced: albedo and emission 24, the light that leaves now and after the next
-/// bounce 26.
+/// Of every map while bounces, or probes, are traced: albedo and emission 24, the light that leaves now and after the
+/// next bounce 26.
 constexpr std::uint64_t bounce_texel_bytes = 50;
 /// Of every map with directions: four pictures of RGBA; while they are traced with bounces, what these sent 13.
 constexpr std::uint64_t directional_texel_bytes = 64;
@@ -104,12 +105,12 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
     }
     const std::uint64_t sky_texels = std::visit(SkyTexels(), sky.source);
     return {.held = bytes_of(scene) + sky_texels * sizeof(glm::vec4),
-            .sky_texels = settings.mode == Mode::ao ? 0 : sky_texels,
+            .sky_texels = settings.mode == Mode::irradiance ? sky_texels : 0,
             .triangles = triangles,
             .opacity = opacity_bytes(scene, settings),
             .maps = maps.value_or(settings.layout == Layout::object ? objects : 1),
             .size = settings.size,
-            .bounces = settings.bounces > 0,
+            .bounces = settings.bounces > 0 || has_probes(scene, settings),
             .directional = settings.directional == Switch::on,
             .estimated =
                 settings.estimate_error || settings.target_error || settings.seconds || settings.denoise == Switch::on,

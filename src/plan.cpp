@@ -51,16 +51,20 @@ double greatest_albedo(const Scene& scene) {
     return greatest;
 }
 
+std::string no_light(const Settings& settings) {
+    return "mode " + std::string(name_of(settings.mode)) + " has no light";
+}
+
 PlanEntry plan_sky(const Settings& settings) {
-    if (settings.mode == Mode::ao) {
-        return {"sky", false, "mode ao stores visibility, whatever the sky"};
+    if (settings.mode != Mode::irradiance) {
+        return {"sky", false, "mode " + std::string(name_of(settings.mode)) + " asks what is open, whatever the sky"};
     }
     return {"sky", true, "its direct light, " + rays_text(settings.rays, settings.sampler)};
 }
 
 PlanEntry plan_sun(const Sky& sky, const Settings& settings) {
-    if (settings.mode == Mode::ao) {
-        return {"sun", false, "mode ao has no light"};
+    if (settings.mode != Mode::irradiance) {
+        return {"sun", false, no_light(settings)};
     }
     if (settings.sampler != Sampler::cosine) {
         return {"sun", false, "the sampler " + std::string(name_of(settings.sampler)) + " looks for none"};
@@ -84,8 +88,8 @@ PlanEntry plan_lamps(const Scene& scene, const Settings& settings) {
     if (scene.lamps.empty()) {
         return {"lamps", false, "the scene has none"};
     }
-    if (settings.mode == Mode::ao) {
-        return {"lamps", false, of_lamps(scene.lamps.size(), "") + "; mode ao has no light"};
+    if (settings.mode != Mode::irradiance) {
+        return {"lamps", false, of_lamps(scene.lamps.size(), "") + "; " + no_light(settings)};
     }
     if (settings.lamps == Switch::off) {
         return {"lamps", false, of_lamps(scene.lamps.size(), "") + ", left to whoever draws the scene (--lamps off)"};
@@ -101,8 +105,8 @@ PlanEntry plan_lamps(const Scene& scene, const Settings& settings) {
 }
 
 PlanEntry plan_bounces(const Scene& scene, const Settings& settings) {
-    if (settings.mode == Mode::ao) {
-        return {"bounces", false, "mode ao has no light"};
+    if (settings.mode != Mode::irradiance) {
+        return {"bounces", false, no_light(settings)};
     }
     if (!reflects(scene)) {
         return {"bounces", false, "no surface reflects"};
@@ -126,13 +130,28 @@ PlanEntry plan_directional(const Settings& settings) {
             "four maps beside each light map, " + rays_text(settings.directional_rays, Sampler::cosine) + " more"};
 }
 
+PlanEntry plan_probes(const Scene& scene, const Settings& settings) {
+    std::uint64_t count = scene.probes.size();
+    if (settings.probe_grid) {
+        const auto& [x, y, z] = *settings.probe_grid;
+        count += std::uint64_t{x} * y * z;
+    }
+    if (count == 0) {
+        return {"light probes", false, "no node asks for one (extras.vkbake.probe), nor does --probes"};
+    }
+    const std::string probes = std::to_string(count) + (count == 1 ? " probe" : " probes");
+    return settings.mode == Mode::irradiance
+               ? PlanEntry{"light probes", true, probes + ", " + std::to_string(settings.probe_rays) + " rays each"}
+               : PlanEntry{"light probes", false, probes + "; " + no_light(settings)};
+}
+
 PlanEntry plan_emission(const Scene& scene, const Settings& settings) {
     if (!emits(scene)) {
         return {"emission", false, "no surface emits"};
     }
     const std::string materials = of_materials(count_materials(scene, [](const auto& m) { return emits(m); }), scene);
-    if (settings.mode == Mode::ao) {
-        return {"emission", false, materials + " emit; mode ao has no light"};
+    if (settings.mode != Mode::irradiance) {
+        return {"emission", false, materials + " emit; " + no_light(settings)};
     }
     return settings.bounces > 0
                ? PlanEntry{"emission", true, materials + ", with the first bounce's rays"}
@@ -184,6 +203,7 @@ std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings, c
                                       plan_bounces(scene, settings),
                                       plan_emission(scene, settings),
                                       plan_directional(settings),
+                                      plan_probes(scene, settings),
                                       plan_textures(scene, settings),
                                       plan_alpha(scene, settings)};
     });

@@ -115,6 +115,8 @@ std::string to_json(const Bake& bake) {
                        {"charts", bake.atlas.chart_count},
                        {"density", bake.atlas.density},
                        {"light_maps", maps},
+                       {"probes", bake.probes.size()},
+                       {"probe_rays", bake.probe_rays},
                        {"stage_seconds", stages},
                        {"notes", bake.notes}};
     return json.dump(2);

@@ -8,6 +8,7 @@
 
 #include "vkbake/atlas.hpp"
 #include "vkbake/image.hpp"
+#include "vkbake/light_probe.hpp"
 #include "vkbake/settings.hpp"
 #include "vkbake/surface.hpp"
 
@@ -52,7 +53,7 @@ struct MapError {
 
 struct LightMap {
     std::string name; ///< AtlasPage::name
-    Image image;      ///< RGB: E/π or visibility; A: 1 where there is a value to sample; coverage: 1 where baked
+    Image image;      ///< RGB: as Settings::mode has it; A: 1 where there is a value to sample; coverage: 1 where baked
     LightMapStatistics statistics;
     /// Where Settings::directional was on: four images of RGB coefficients, ∫ L Y over the light that arrives from
     /// above the texel's surface, of the real orthonormal spherical harmonics of world directions: 0.282095,
@@ -81,6 +82,9 @@ struct Bake {
     Surface surface;
     Atlas atlas;
     std::vector<LightMap> light_maps; ///< one a page, in the pages' order
+    std::vector<LightProbe> probes;   ///< of the scene's nodes, then the grid's
+    std::optional<ProbeGrid> probe_grid;
+    std::uint64_t probe_rays = 0;     ///< traced for probes
     std::vector<StageSeconds> stages; ///< in the order they ran
     std::vector<std::string> notes;
 };

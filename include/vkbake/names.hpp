@@ -36,8 +36,8 @@ struct Names<ChartMaker> {
 
 template<>
 struct Names<Mode> {
-    static constexpr std::array<std::pair<std::string_view, Mode>, 2> values{
-        {{"irradiance", Mode::irradiance}, {"ao", Mode::ao}}};
+    static constexpr std::array<std::pair<std::string_view, Mode>, 3> values{
+        {{"irradiance", Mode::irradiance}, {"ao", Mode::ao}, {"bent-normal", Mode::bent_normal}}};
 };
 
 template<>

@@ -16,9 +16,9 @@ struct PlanEntry {
     std::string reason; ///< one line
 };
 
-/// One entry each for the sky's light, its sun, lamps, bounces, emission, where light comes from, albedo textures,
-/// alpha. What is not modelled costs a bake nothing. Pure; nothing is decoded, so shares are what the materials'
-/// factors allow, before textures.
+/// One entry each for the sky's light, its sun, lamps, bounces, emission, where light comes from, probes, albedo
+/// textures, alpha. What is not modelled costs a bake nothing. Pure; nothing is decoded, so shares are what the
+/// materials' factors allow, before textures.
 [[nodiscard]] std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings, const Sky& sky = {});
 
 } // namespace vkbake

@@ -14,6 +14,7 @@
 #include <glm/vec4.hpp>
 
 #include "vkbake/lamp.hpp"
+#include "vkbake/light_probe.hpp"
 
 namespace vkbake {
 
@@ -117,6 +118,7 @@ struct Scene {
     std::vector<EncodedImage> images;
     std::vector<Camera> cameras;
     std::vector<Lamp> lamps;        ///< in the instances' order of nodes
+    std::vector<ProbePlace> probes; ///< in the same order
     std::vector<std::string> notes; ///< what was left out or looks odd, a line each
     std::optional<SourceDocument>
         source;            ///< absent for scenes made by hand: they can be baked, and written as images only

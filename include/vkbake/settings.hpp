@@ -1,6 +1,7 @@
 // What a bake is asked for. Every field has the default that suits a first run; flags only fill it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -17,7 +18,11 @@ enum class ChartMaker : std::uint8_t {
     grown,
     polypack
 }; ///< grown: few charts within a bound of stretch; polypack: the thesis's, by facing
-enum class Mode : std::uint8_t { irradiance, ao }; ///< E/π, or cosine-weighted visibility
+enum class Mode : std::uint8_t {
+    irradiance,
+    ao,
+    bent_normal
+}; ///< E/π; cosine-weighted visibility; or the mean open direction, as long as visibility
 enum class Switch : std::uint8_t { on, off };
 enum class Alpha : std::uint8_t {
     traced,
@@ -47,8 +52,9 @@ struct Settings {
 
     // Light
     Mode mode = Mode::irradiance;
-    std::optional<double> ao_distance; ///< metres, > 0; mode ao only: farther hits do not occlude. Absent: no limit
-    std::uint32_t rays = 256;          ///< a texel; ≥ 1. Sampler `thesis` always takes its own 256
+    std::optional<double>
+        ao_distance;          ///< metres, > 0; modes ao and bent_normal: farther hits do not occlude. Absent: no limit
+    std::uint32_t rays = 256; ///< a texel; ≥ 1. Sampler `thesis` always takes its own 256
     /// How often light is followed from surface to surface after the sky's; 0: the sky's direct light alone. The first
     /// also brings what surfaces emit. 0 … 64; mode irradiance.
     std::uint32_t bounces = 0;
@@ -57,6 +63,10 @@ struct Settings {
     /// `directional_rays` more rays a texel. Mode irradiance.
     Switch directional = Switch::off;
     std::uint32_t directional_rays = 64; ///< ≥ 1
+    /// So many light probes along each axis of the scene's box, 1 … 1024 and 2²⁰ in all, beside those of the scene's
+    /// nodes. Mode irradiance.
+    std::optional<std::array<std::uint32_t, 3>> probe_grid;
+    std::uint32_t probe_rays = 1024; ///< of each; ≥ 1
     Alpha alpha = Alpha::traced;
     /// Relative error that a map is to have: root-mean-square error of luminance ÷ the map's mean, and no more than one
     /// texel in a hundred with a standard error above eight times that. Each texel then gets as many rays as it takes,

@@ -48,7 +48,8 @@ struct WriteSettings {
     std::string command; ///< kept in the manifest as provenance; may be empty
 };
 
-/// Writes lightmaps/NAME.exr, SCENE.glb (where the scene has a source) and, last, manifest.json; returns their paths,
+/// Writes lightmaps/NAME.exr, SCENE.glb (where the scene has a source), probes.json (where the bake has probes) and,
+/// last, manifest.json; returns their paths,
 /// relative to the directory, manifest last. Each appears under its name only when complete. `progress` is asked many
 /// times a second until the first takes its name; where it returns false nothing has changed in the directory.
 /// Throws Error{output}, Error{interrupted}.

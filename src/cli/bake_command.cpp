@@ -74,6 +74,10 @@ void print_maps(const Bake& bake) {
                        statistics.peak_rays > 0 && statistics.lamp_rays > 0 ? " and " : "",
                        statistics.lamp_rays > 0 ? "lamps" : "");
         }
+        if (statistics.directional_rays > 0) {
+            fmt::print("  {:<24} {} rays for where it comes from\n", "",
+                       count_text(static_cast<double>(statistics.directional_rays)));
+        }
         if (map.error) {
             print_error(*map.error);
         }
@@ -98,6 +102,10 @@ void print_summary(const Bake& bake, const std::vector<std::filesystem::path>& f
     fmt::print("  {} in {}{}\n", plural(bake.atlas.chart_count, "chart", "charts"),
                plural(bake.light_maps.size(), "map", "maps"), density);
     print_maps(bake);
+    if (!bake.probes.empty()) {
+        fmt::print("  {:<24} {} rays\n", plural(bake.probes.size(), "light probe", "light probes"),
+                   count_text(static_cast<double>(bake.probe_rays)));
+    }
     std::string stages;
     for (const StageSeconds& stage : bake.stages) {
         stages += fmt::format("{}{} {}", stages.empty() ? "" : " | ", stage.stage, duration_text(stage.seconds));

@@ -61,10 +61,10 @@ void add_atlas_options(CLI::App& app, Settings& settings) {
 
 void add_light_options(CLI::App& app, Settings& settings) {
     add_choice(app, "--mode", settings.mode,
-               "What a texel stores: the radiance of a white surface (E/pi), or visibility");
+               "What a texel stores: the radiance of a white surface (E/pi), visibility, or the mean open direction");
     app.add_option_function<double>(
            "--ao-distance", [&settings](double metres) { settings.ao_distance = metres; },
-           "Metres beyond which nothing occludes (mode ao)")
+           "Metres beyond which nothing occludes (modes ao and bent-normal)")
         ->check(CLI::PositiveNumber);
     app.add_option("--rays", settings.rays, "Rays a texel")->check(CLI::Range(1U, 1U << 24U))->capture_default_str();
     add_choice(app, "--lamps", settings.lamps,
@@ -81,6 +81,19 @@ void add_light_options(CLI::App& app, Settings& settings) {
     add_choice(app, "--directional", settings.directional,
                "Write where each texel's light comes from beside the light map, for renderers with normal maps");
     app.add_option("--directional-rays", settings.directional_rays, "Rays a texel for --directional")
+        ->check(CLI::Range(1U, 1U << 24U))
+        ->capture_default_str();
+    app.add_option_function<std::vector<std::uint32_t>>(
+           "--probes",
+           [&settings](const std::vector<std::uint32_t>& counts) {
+               settings.probe_grid = {counts.at(0), counts.at(1), counts.at(2)};
+           },
+           "A grid of light probes in the scene's box, beside those of nodes with extras.vkbake.probe")
+        ->expected(3)
+        ->delimiter(',')
+        ->check(CLI::Range(1U, 1024U))
+        ->type_name("NX,NY,NZ");
+    app.add_option("--probe-rays", settings.probe_rays, "Rays of a light probe")
         ->check(CLI::Range(1U, 1U << 24U))
         ->capture_default_str();
     add_choice(app, "--alpha", settings.alpha,

@@ -41,6 +41,7 @@ Scene load(gltf::Context& context, const std::filesystem::path& file) {
     scene.instances = std::move(placed.instances);
     scene.cameras = std::move(placed.cameras);
     scene.lamps = std::move(placed.lamps);
+    scene.probes = std::move(placed.probes);
     scene.notes = context.take_notes();
     return scene;
 }

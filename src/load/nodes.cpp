@@ -185,6 +185,11 @@ private:
         if (const auto lamp = m_lamps.find(static_cast<std::uint32_t>(index)); lamp != m_lamps.end()) {
             place(index, lamp->second, world);
         }
+        if (wants_probe(node)) {
+            m_placed.probes.push_back({.name = node.name.empty() ? "node " + std::to_string(index) : node.name,
+                                       .position = world.translation,
+                                       .source_node = static_cast<std::uint32_t>(index)});
+        }
         if (node.mesh < 0) {
             return;
         }
@@ -200,6 +205,14 @@ private:
                                       .translation = world.translation,
                                       .density = density_of(index, node),
                                       .source_node = static_cast<std::uint32_t>(index)});
+    }
+
+    static bool wants_probe(const tinygltf::Node& node) {
+        if (!node.extras.Has("vkbake") || !node.extras.Get("vkbake").Has("probe")) {
+            return false;
+        }
+        const tinygltf::Value& value = node.extras.Get("vkbake").Get("probe");
+        return !value.IsBool() || value.Get<bool>();
     }
 
     /// What the node's extras.vkbake.density says, or else its mesh's.

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <optional>
 
 #include "bvh/each_ray.hpp"
 #include "trace/sky_sum.hpp"
@@ -26,7 +27,10 @@ const RadianceRows& IncidentLight::along(const RayBlock& block, LaneEnds* ends) 
         dim(block);
     }
     if (m_surfaces != nullptr) {
-        add_surfaces(block, m_visibility->filters() ? m_visibility->met(block, m_scratch) : blocked, ends);
+        add_surfaces(block, m_visibility->filters() ? m_visibility->met(block, m_scratch) : blocked);
+        if (ends != nullptr) {
+            count_ends(block, blocked, *ends);
+        }
     }
     return m_radiance;
 }
@@ -43,25 +47,30 @@ void IncidentLight::dim(const RayBlock& block) {
     }
 }
 
-void IncidentLight::add_surfaces(const RayBlock& block, const BlockedRays& met, LaneEnds* ends) {
+void IncidentLight::add_surfaces(const RayBlock& block, const BlockedRays& met) {
     for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
         for (unsigned left = met[stratum]; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const Ray ray = ray_of(block, stratum, lane);
-            bool hidden = false;
             for (const SeenSurface& seen : m_visibility->surfaces(ray, m_scratch)) {
                 const glm::vec3 light = seen.share * m_surfaces->along(ray, seen.hit);
                 for (std::size_t channel = 0; channel < 3; ++channel) {
                     m_radiance[stratum][channel][lane] += light[static_cast<glm::length_t>(channel)];
                 }
-                hidden = !m_surfaces->shows(seen.hit);
-            }
-            if (ends != nullptr) {
-                ends->back_sides[lane] += hidden ? 1 : 0;
             }
         }
-        for (unsigned left = ends != nullptr ? block.active[stratum] : 0U; left != 0; left &= left - 1) {
-            ++ends->rays[static_cast<std::size_t>(std::countr_zero(left))];
+    }
+}
+
+void IncidentLight::count_ends(const RayBlock& block, const BlockedRays& blocked, LaneEnds& ends) {
+    for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
+        for (unsigned left = block.active[stratum]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            ++ends.rays[lane];
+            if ((blocked[stratum] >> lane & 1U) != 0) {
+                const std::optional<Hit> hit = m_visibility->nearest(ray_of(block, stratum, lane), m_scratch);
+                ends.back_sides[lane] += hit && !m_surfaces->shows(*hit) ? 1 : 0;
+            }
         }
     }
 }

@@ -31,7 +31,8 @@ public:
 
 private:
     void dim(const RayBlock& block);
-    void add_surfaces(const RayBlock& block, const BlockedRays& met, LaneEnds* ends);
+    void add_surfaces(const RayBlock& block, const BlockedRays& met);
+    void count_ends(const RayBlock& block, const BlockedRays& blocked, LaneEnds& ends);
 
     const SkyLookup* m_sky; ///< never null
     float m_intensity;

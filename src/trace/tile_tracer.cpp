@@ -40,6 +40,7 @@ TileTracer::TileTracer(const Surface& surface, const GeometryImage& geometry, co
 void TileTracer::sum_up(const TexelTile& tile) {
     m_sums = {};
     m_dimmed = {};
+    m_directions = {};
     m_rays.begin(tile);
     choose_probes();
     for (std::size_t number = 0; number < m_plan->block_count(); ++number) {
@@ -64,6 +65,9 @@ void TileTracer::sum_up(const TexelTile& tile) {
         if (m_with_parts) {
             add_parts(open, blocked);
         }
+        if (m_plan->settings().mode == Mode::bent_normal) {
+            add_directions(block, weights, blocked);
+        }
         probe(number, block, blocked);
     }
     if (m_peaks) {
@@ -78,7 +82,7 @@ void TileTracer::sum_up(const TexelTile& tile) {
 
 void TileTracer::add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open) {
     m_counts.filtered_rays = m_scratch.filtered_rays();
-    const bool grey = m_plan->settings().mode == Mode::ao;
+    const bool grey = m_plan->settings().mode != Mode::irradiance;
     for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
         const RayBlock::LaneBits dimmed = m_scratch.dimmed()[stratum];
         open[stratum] = static_cast<RayBlock::LaneBits>(open[stratum] & ~dimmed);
@@ -105,6 +109,24 @@ void TileTracer::add_weighted(const RayBlock& block, BlockedRays& open) {
         }
         open[stratum] = 0;
     }
+}
+
+void TileTracer::add_directions(const RayBlock& block, const RayPlan::Weights& weights, const BlockedRays& blocked) {
+    for (std::size_t stratum = 0; stratum < blocked.size(); ++stratum) {
+        const auto& [x, y, z] = block.direction[stratum];
+        for (unsigned bits = block.active[stratum] & ~static_cast<unsigned>(blocked[stratum]); bits != 0;
+             bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            const double through = luminance(glm::dvec3(m_scratch.transmittance(stratum, lane)));
+            m_directions[lane] +=
+                weights[stratum] * m_rays.weight(stratum, lane) * through * glm::dvec3(x[lane], y[lane], z[lane]);
+        }
+    }
+}
+
+glm::dvec3 TileTracer::bent_normal(std::size_t lane, double visibility) const {
+    const double length = glm::length(m_directions[lane]);
+    return length > 0.0 ? visibility / length * m_directions[lane] : glm::dvec3(0.0);
 }
 
 void TileTracer::add_to_part(std::size_t stratum, std::size_t lane, double luminance) {

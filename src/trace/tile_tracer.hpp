@@ -104,6 +104,9 @@ private:
     /// Of the last tile.
     [[nodiscard]] glm::dvec3 light(std::size_t lane) const {
         glm::dvec3 sum = total(*m_sky, m_sums, lane) + m_dimmed[lane];
+        if (m_plan->settings().mode == Mode::bent_normal) {
+            return bent_normal(lane, sum.x);
+        }
         if (m_peaks) {
             sum += m_peaks->sum(lane);
         }
@@ -116,6 +119,9 @@ private:
     void add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open);
     /// Adds the rays of a block one by one, each with its own weight, and takes them out of `open`.
     void add_weighted(const RayBlock& block, BlockedRays& open);
+    /// Adds a block's rays that are not blocked to the mean open direction.
+    void add_directions(const RayBlock& block, const RayPlan::Weights& weights, const BlockedRays& blocked);
+    [[nodiscard]] glm::dvec3 bent_normal(std::size_t lane, double visibility) const;
     /// Adds a block's rays to the parts that their samples belong to.
     void add_parts(const BlockedRays& open, const BlockedRays& blocked);
     /// Adds a sample that light came along.
@@ -131,7 +137,8 @@ private:
     TileRays m_rays;
     VisibilityScratch m_scratch;
     LaneSums m_sums;
-    std::array<glm::dvec3, RayBlock::lanes> m_dimmed{}; ///< sums of what comes through surfaces, or is weighted
+    std::array<glm::dvec3, RayBlock::lanes> m_dimmed{};     ///< sums of what comes through surfaces, or is weighted
+    std::array<glm::dvec3, RayBlock::lanes> m_directions{}; ///< mode bent_normal: sums of those that are open
     bool m_with_parts = false;
     LaneParts m_parts;
     SampleIndices m_indices;

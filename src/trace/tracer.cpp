@@ -38,11 +38,11 @@ AcceleratorSettings accelerator_settings(const Settings& settings) {
     return {settings.accelerator, settings.triangle_test, settings.cluster_splits, settings.threads};
 }
 
-bool bakes_lamps(const Settings& settings) { return settings.mode != Mode::ao && settings.lamps == Switch::on; }
+bool bakes_lamps(const Settings& settings) { return settings.mode == Mode::irradiance && settings.lamps == Switch::on; }
 
 /// A sky without intensity is a black one, so that what it is multiplied with is never 0.
 SkyLookup make_radiance(const Sky& sky, const Settings& settings) {
-    if (settings.mode == Mode::ao) {
+    if (settings.mode != Mode::irradiance) {
         return ConstantLookup{glm::vec3(1.0F)};
     }
     SkyLookup lookup = make_sky_lookup(sky);
@@ -62,7 +62,7 @@ std::optional<SkyPeaks> take_peaks(SkyLookup& radiance, const Settings& settings
 }
 
 double intensity_of(const Sky& sky, const Settings& settings) {
-    return settings.mode == Mode::ao || sky.intensity == 0.0 ? 1.0 : sky.intensity;
+    return settings.mode != Mode::irradiance || sky.intensity == 0.0 ? 1.0 : sky.intensity;
 }
 
 template<typename Worker>

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/geometric.hpp>
+
 #include "base/srgb.hpp"
 
 namespace vkbake {
@@ -51,10 +53,11 @@ std::array<double, 255> srgb_borders() {
 DisplayMap make_display_map(const std::string& name, const Image& image, Mode mode, const Poll& poll) {
     DisplayMap map{.name = name};
     std::vector<std::uint8_t> texels;
-    if (mode == Mode::ao) {
+    if (mode != Mode::irradiance) {
         texels.reserve(image.texels.size());
         each_texel(image, poll, [&](const glm::vec4& texel) {
-            const double visibility = texel.w > 0.0F ? share_of(texel.x, 1.0) : 0.0;
+            const float open = mode == Mode::ao ? texel.x : glm::length(glm::vec3(texel));
+            const double visibility = texel.w > 0.0F ? share_of(open, 1.0) : 0.0;
             texels.push_back(static_cast<std::uint8_t>(std::lround(visibility * 255.0)));
         });
         map.png = encode_grey_png(image.width, image.height, texels, {}, poll);

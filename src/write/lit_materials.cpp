@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "vkbake/names.hpp"
+
 namespace vkbake {
 namespace {
 
@@ -43,7 +45,7 @@ std::set<std::size_t> strip_light_map(Json& material) {
     }
     Json* const extras = find(material, "extras");
     if (Json* const own = extras != nullptr ? find(*extras, "vkbake") : nullptr) {
-        if (own->is_object() && own->value("mode", Json()) == "ao") {
+        if (own->is_object() && own->value("mode", Json()) != "irradiance") {
             remove(material, "occlusionTexture");
         }
         extras->erase("vkbake");
@@ -234,7 +236,7 @@ std::vector<std::size_t> LitMaterials::place_textures() {
 }
 
 void LitMaterials::refer_to_light_map(Json& material, const DisplayMap& map, std::size_t texture) {
-    if (m_mode == Mode::ao) {
+    if (m_mode != Mode::irradiance) {
         if (material.contains("occlusionTexture")) {
             m_notes.push_back("material \"" + material.value("name", std::string()) +
                               "\": its own occlusion texture was replaced by the baked one");
@@ -248,7 +250,7 @@ void LitMaterials::refer_to_light_map(Json& material, const DisplayMap& map, std
     if (!extras.is_object() && !extras.is_null()) {
         extras = {{"source", std::move(extras)}}; // glTF lets extras be anything
     }
-    extras["vkbake"] = {{"lightMap", map.linear_file}, {"mode", m_mode == Mode::ao ? "ao" : "irradiance"}};
+    extras["vkbake"] = {{"lightMap", map.linear_file}, {"mode", name_of(m_mode)}};
     if (!map.directional_files.empty()) {
         extras["vkbake"]["directional"] = map.directional_files;
     }

@@ -33,6 +33,13 @@ Json map_json(const LightMap& map, const WrittenMap& written, Mode mode) {
     return json;
 }
 
+/// Null where there are none.
+Json probes_summary(const Bake& bake) {
+    return bake.probes.empty()
+               ? Json()
+               : Json{{"file", "probes.json"}, {"count", bake.probes.size()}, {"rays", bake.probe_rays}};
+}
+
 Json timing_json(const Bake& bake) {
     Json stages = Json::array();
     for (const StageSeconds& stage : bake.stages) {
@@ -88,6 +95,8 @@ Json settings_json(const Settings& settings) {
             {"rays", settings.rays},
             {"bounces", settings.bounces},
             {"bounce-rays", settings.bounce_rays},
+            {"probes", settings.probe_grid ? Json(*settings.probe_grid) : Json()},
+            {"probe-rays", settings.probe_rays},
             {"directional", name_of(settings.directional)},
             {"directional-rays", settings.directional_rays},
             {"lamps", name_of(settings.lamps)},
@@ -163,6 +172,7 @@ Json make_manifest(const std::string& scene, const Bake& bake, const std::string
             {"charts", bake.atlas.chart_count},
             {"density", bake.atlas.density},
             {"light_maps", std::move(map_list)},
+            {"probes", probes_summary(bake)},
             {"notes", notes},
             {"files", std::move(file_list)},
             {"timing", timing_json(bake)}};

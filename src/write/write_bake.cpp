@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/boundary.hpp"
 #include "imageio/encode.hpp"
@@ -8,6 +9,7 @@
 #include "write/display_map.hpp"
 #include "write/hash.hpp"
 #include "write/manifest.hpp"
+#include "write/probes_json.hpp"
 #include "write/scene_glb.hpp"
 
 namespace vkbake {
@@ -32,12 +34,33 @@ FileFormat file_format(LightMapFormat format) {
 
 constexpr const char* value_attribute = "vkbake:value";
 
+const char* value_name(Mode mode) {
+    switch (mode) {
+    case Mode::ao:
+        return "visibility";
+    case Mode::bent_normal:
+        return "mean open direction x visibility, world axes";
+    case Mode::irradiance:
+        break;
+    }
+    return "irradiance / pi";
+}
+
+/// A vector in [−1, 1] as a PNG holds it.
+Image around_half(const Image& image) {
+    Image result = image;
+    for (glm::vec4& texel : result.texels) {
+        texel = glm::vec4(0.5F + 0.5F * glm::vec3(texel), texel.a);
+    }
+    return result;
+}
+
 /// What a light map's own file says about where its values come from: nothing that does not change them, so that the
 /// bytes are the same for every accelerator, thread count and folder.
 Attributes provenance(const Bake& bake, const std::string& name) {
     Attributes attributes{{"vkbake:version", version()},
                           {"vkbake:map", name},
-                          {value_attribute, bake.settings.mode == Mode::ao ? "visibility" : "irradiance / pi"},
+                          {value_attribute, value_name(bake.settings.mode)},
                           {"vkbake:sky", bake.sky}};
     const Json settings = settings_json(bake.settings);
     for (const char* flag :
@@ -100,7 +123,11 @@ std::string file_stem(const std::string& name) {
     return stem.empty() || stem == "." || stem == ".." ? "scene" : stem;
 }
 
-void check(const Scene& scene, const Bake& bake) {
+void check(const Scene& scene, const Bake& bake, LightMapFormat format) {
+    if (bake.settings.mode == Mode::bent_normal && format == LightMapFormat::hdr) {
+        throw Error(ErrorKind::usage, "write: HDR files hold nothing below 0, and bent normals have such parts; choose "
+                                      "the format exr or png");
+    }
     const std::size_t triangles = bake.surface.triangle_count();
     if (bake.light_maps.size() != bake.atlas.pages.size() || bake.atlas.page.size() != triangles ||
         bake.atlas.uvs.size() != 3 * triangles || bake.surface.vertices.size() != 3 * triangles ||
@@ -182,7 +209,12 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
     std::vector<std::string> notes = bake.notes;
     for (const LightMap& map : bake.light_maps) {
         const std::string file = "lightmaps/" + map.name + format.extension;
-        const EncodedFile encoded = encode_image(map.image, format.format, provenance(bake, map.name), poll);
+        std::optional<Image> shifted;
+        if (bake.settings.mode == Mode::bent_normal && settings.format == LightMapFormat::png) {
+            shifted = around_half(map.image);
+        }
+        const EncodedFile encoded =
+            encode_image(shifted ? *shifted : map.image, format.format, provenance(bake, map.name), poll);
         output.stage(file, encoded.bytes);
         if (encoded.changed_values > 0) {
             notes.push_back(file + ": " + std::to_string(encoded.changed_values) +
@@ -218,6 +250,10 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
         notes.insert(notes.end(), glb.notes.begin(), glb.notes.end());
         output.stage(file, glb.bytes);
     }
+    if (!bake.probes.empty()) {
+        const std::string text = probes_text(bake);
+        output.stage("probes.json", std::vector<std::uint8_t>(text.begin(), text.end()));
+    }
     const Json manifest = make_manifest(scene.name, bake, settings.command, written, output.files(), notes);
     const std::string text = manifest.dump(2) + "\n";
     output.stage("manifest.json", std::vector<std::uint8_t>(text.begin(), text.end()));
@@ -229,7 +265,7 @@ std::vector<std::filesystem::path> write_files(const Scene& scene, const Bake& b
 std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings,
                                               const Progress& progress) {
     return at_boundary([&] {
-        check(scene, bake);
+        check(scene, bake, settings.format);
         try {
             return write_files(scene, bake, settings, progress);
         } catch (const Json::exception& error) {

@@ -8,6 +8,7 @@
 
 #include "bounces.hpp"
 #include "host_bake.hpp"
+#include "probes.hpp"
 #include "stage_clock.hpp"
 
 namespace vkbake::test {
@@ -30,6 +31,9 @@ inline Bake bounced(const Scene& scene, const Settings& settings, const Sky& sky
     const SentLight sent = add_bounces(scene, tracer, draw, clock, bake);
     if (settings.directional == Switch::on) {
         add_directional(tracer, sent, draw, clock, bake);
+    }
+    if (has_probes(scene, settings)) {
+        add_probes(scene, tracer, draw, clock, bake);
     }
     return bake;
 }

@@ -42,6 +42,22 @@ TEST(Nodes, MatricesAreColumnMajor) {
     expect_near(apply(scene.instances[0], {1, 10, 100}), {1 + 40 + 700 + 20, 2 + 50 + 800 + 30, 3 + 60 + 1000 + 40});
 }
 
+TEST(Nodes, MayBePlacesOfLightProbes) {
+    DocumentBuilder builder = triangle_document();
+    builder.json["nodes"][0]["translation"] = {1, 0, 0};
+    builder.json["nodes"][0]["children"] = {1, 2, 3};
+    builder.json["nodes"].push_back(
+        {{"name", "hall"}, {"translation", {0, 2, 0}}, {"extras", {{"vkbake", {{"probe", true}}}}}});
+    builder.json["nodes"].push_back({{"extras", {{"vkbake", {{"probe", false}}}}}});
+    builder.json["nodes"].push_back({{"extras", {{"vkbake", {{"probe", {{"zone", 3}}}}}}}});
+    const Scene scene = builder.load();
+    ASSERT_EQ(scene.probes.size(), 2U);
+    EXPECT_EQ(scene.probes[0].name, "hall");
+    expect_near(scene.probes[0].position, {1, 2, 0});
+    EXPECT_EQ(scene.probes[1].name, "node 3");
+    EXPECT_EQ(scene.probes[1].source_node, 3U);
+}
+
 TEST(Nodes, QuaternionsNeedNoUnitLength) {
     DocumentBuilder builder = triangle_document();
     builder.json["nodes"][0]["rotation"] = {0, 0, 3e-200, 3e-200}; // 90° about +Z

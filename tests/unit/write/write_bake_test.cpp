@@ -140,6 +140,48 @@ TEST(WriteBake, DirectionalMapsLieBesideTheLightMap) {
     EXPECT_GT(referring, 0U);
 }
 
+TEST(WriteBake, ProbesAreAFileOfTheirOwn) {
+    const TestFolder folder;
+    Bake bake = make_bake();
+    bake.probes.push_back({.name = "hall", .position = {1.0, 2.5, -3.0}, .back_sides = 0.25});
+    bake.probes.push_back({});
+    bake.probes[0].coefficients[8] = {0.5F, -0.25F, 4.0F};
+    bake.probe_grid = ProbeGrid{.counts = {1, 1, 1}, .first_probe = 1, .first = {7, 8, 9}, .step = {2, 2, 2}};
+    const auto files = write_bake(make_scene(), bake, {folder.path(), LightMapFormat::exr, {}});
+    EXPECT_EQ(files.at(files.size() - 2), "probes.json");
+    (void)read_manifest(folder.path());
+    const Json json = Json::parse(read_file(folder / "probes.json"));
+    ASSERT_EQ(json["probes"].size(), 2U);
+    EXPECT_EQ(json["probes"][0]["name"], "hall");
+    EXPECT_EQ(json["probes"][0]["position"], Json::array({1.0, 2.5, -3.0}));
+    EXPECT_EQ(json["probes"][0]["back_sides"], 0.25);
+    ASSERT_EQ(json["probes"][0]["coefficients"].size(), 9U);
+    EXPECT_EQ(json["probes"][0]["coefficients"][8], Json::array({0.5, -0.25, 4.0}));
+    EXPECT_EQ(json["grid"]["first_probe"], 1);
+    EXPECT_EQ(json["grid"]["first"], Json::array({7.0, 8.0, 9.0}));
+}
+
+TEST(WriteBake, BentNormalsAreHalvedInAPngAndNotWrittenAsHdr) {
+    const TestFolder folder;
+    Bake bake = make_bake();
+    bake.settings.mode = Mode::bent_normal;
+    bake.light_maps[0].image.texels[2] = {-0.6F, 0.0F, 0.8F, 1.0F};
+    write_bake(make_scene(), bake, {folder / "exr", LightMapFormat::exr, {}});
+    EXPECT_EQ(read_image(folder / "exr/lightmaps/page-0.exr").texels[2], glm::vec4(-0.6F, 0.0F, 0.8F, 1.0F));
+    write_bake(make_scene(), bake, {folder / "png", LightMapFormat::png, {}});
+    const glm::vec4 halved = read_image(folder / "png/lightmaps/page-0.png").texels[2];
+    EXPECT_NEAR(halved.x, 0.2F, 1e-5F);
+    EXPECT_NEAR(halved.y, 0.5F, 1e-5F);
+    EXPECT_NEAR(halved.z, 0.9F, 1e-5F);
+    EXPECT_EQ(kind_of([&] {
+                  write_bake(make_scene(), bake, {folder / "hdr", LightMapFormat::hdr, {}});
+              }),
+              ErrorKind::usage);
+    const Json document = test::parse_glb(read_file(folder / "exr/room.glb")).json;
+    EXPECT_NE(document.dump().find("\"mode\":\"bent-normal\""), std::string::npos);
+    EXPECT_NE(document.dump().find("occlusionTexture"), std::string::npos);
+}
+
 TEST(WriteBake, ScenesMadeByHandGiveImagesAndManifest) {
     const TestFolder folder;
     Scene scene = make_scene();
