@@ -1,4 +1,5 @@
-# Installs the package to a temporary prefix, builds the consumer against it and runs it.
+# Installs the package to a temporary prefix, builds the consumer against it and runs it; compiles a shader with what is
+# installed for shaders.
 # cmake -DBUILD=<build tree> -DSOURCE=<project> -DCONFIG=<type> -DGENERATOR=<generator> -DFLAGS=<flags>
 #     -DPROGRAMS=<those to build and run> -P run.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -17,6 +18,11 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/build -G ${GENERATOR
     -DCMAKE_BUILD_TYPE=${CONFIG} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${work}/build --target ${PROGRAMS})
 run(${work}/build/own_device)
+find_program(GLSL_COMPILER glslangValidator)
+if(GLSL_COMPILER)
+    run(${GLSL_COMPILER} -V -I${work}/prefix/share/vkbake/glsl ${SOURCE}/tests/consumer/renderer.frag
+        -o ${work}/renderer.spv)
+endif()
 if(NOT readme IN_LIST PROGRAMS)
     return()
 endif()
