@@ -21,8 +21,8 @@ struct RandomMap {
         map.image = {.width = width, .height = height, .texels = {}, .coverage = {}};
         geometry.width = width;
         geometry.height = height;
-        geometry.position = geometry.shading_normal = vkbake::ZeroedArray<glm::vec3>(
-            static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        geometry.position = geometry.shading_normal =
+            vkbake::ZeroedArray<glm::vec3>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
                 const bool covered = uniform() < 0.95F;
