@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "device.hpp"
