@@ -38,7 +38,12 @@ public:
     ZeroedArray(const ZeroedArray& other) : ZeroedArray(other.m_size) {
         std::copy(other.begin(), other.end(), begin());
     }
-    ZeroedArray& operator=(const ZeroedArray& other) { return this == &other ? *this : *this = ZeroedArray(other); }
+    ZeroedArray& operator=(const ZeroedArray& other) {
+        ZeroedArray copy(other);
+        std::swap(m_values, copy.m_values);
+        std::swap(m_size, copy.m_size);
+        return *this;
+    }
     ~ZeroedArray() = default;
 
     [[nodiscard]] std::size_t size() const { return m_size; }
@@ -54,6 +59,7 @@ public:
 
 private:
     struct Free {
+        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): calloc's other half
         void operator()(Value* values) const { std::free(values); }
     };
     std::unique_ptr<Value, Free> m_values;
