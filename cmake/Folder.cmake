@@ -1,10 +1,11 @@
-# One target a folder of src: vkbake_folder(NAME [RUNS_ONCE] [USES library…] [PRECOMPILE header…] [OPTIONS option…]).
+# One target a folder of src: vkbake_folder(NAME [RUNS_ONCE] [KERNELS source…] [USES library…] [PRECOMPILE header…] [OPTIONS option…]).
 # RUNS_ONCE: no loop of it is hot, so under sanitizers it is not optimised, which halves the compiler's time.
+# KERNELS: each one source for several instruction sets, which a unity build would mix up.
 # Headers that cost seconds each time they are read are read once a folder: precompiled, or, in a unity build, because
 # one source includes the whole folder (which is a sixth less work than precompiling as well).
 # Which folder may include which is not told here but held by tests/house.
 function(vkbake_folder name)
-    cmake_parse_arguments(ARG "RUNS_ONCE" "" "USES;PRECOMPILE;OPTIONS" ${ARGN})
+    cmake_parse_arguments(ARG "RUNS_ONCE" "" "KERNELS;USES;PRECOMPILE;OPTIONS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     if(NOT sources)
         return()
@@ -24,6 +25,7 @@ function(vkbake_folder name)
     if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
         set_target_properties(vkbake_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 16)
     endif()
+    set_source_files_properties(${ARG_KERNELS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     set_property(GLOBAL APPEND PROPERTY VKBAKE_FOLDERS vkbake_${name})
     set_property(GLOBAL APPEND PROPERTY VKBAKE_USES ${ARG_USES})
 endfunction()

@@ -21,8 +21,8 @@ constexpr std::size_t greatest_triangle_count = std::size_t{1} << 30U;
 constexpr std::size_t top_depth = 24;
 constexpr std::size_t cluster_depth = greatest_depth - top_depth;
 // Below this many triangles another task costs more than it saves.
-constexpr std::size_t task_size = 4096;
-constexpr std::size_t grain = 16384;
+constexpr std::size_t triangles_a_task = 4096;
+constexpr std::size_t items_a_range = 16384;
 
 /// A subtree to be: a node of the tree over the clusters, or triangles of one cluster.
 struct Subtree {
@@ -158,7 +158,7 @@ private:
             const Subtree& child = children.all()[lane];
             if (child.leaf()) {
                 node.children[lane] = child.reference;
-            } else if (child.size() <= task_size) {
+            } else if (child.size() <= triangles_a_task) {
                 node.children[lane] = add_node(child, depth + 1, part);
             } else {
                 part.below.push_back({index, lane, std::make_unique<HierarchyPart>()});
@@ -208,7 +208,7 @@ Hierarchy build_hierarchy(const ListedTriangles& triangles, int cluster_splits, 
         with_threads(threads, [&] { Build(triangles, clusters).run(root); });
         hierarchy.clusters = clusters.cluster_count();
         const std::span<const BuildItem> items = clusters.items();
-        parallel_ranges(items.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+        parallel_ranges(items.size(), items_a_range, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t place = begin; place < end; ++place) {
                 hierarchy.ranks[place] = items[place].index;
                 corners[place] = static_cast<std::uint16_t>(items[place].weight);
@@ -217,7 +217,7 @@ Hierarchy build_hierarchy(const ListedTriangles& triangles, int cluster_splits, 
     }
     join(root, triangles, corners, hierarchy, threads);
     hierarchy.places.resize(triangles.size());
-    parallel_ranges(triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    parallel_ranges(triangles.size(), items_a_range, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t place = begin; place < end; ++place) {
             hierarchy.places[hierarchy.ranks[place]] = static_cast<std::uint32_t>(place);
         }

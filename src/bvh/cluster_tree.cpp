@@ -6,7 +6,7 @@ namespace vkbake {
 namespace {
 
 // Below this many clusters another task costs more than it saves.
-constexpr std::size_t task_size = 2048;
+constexpr std::size_t clusters_a_task = 2048;
 
 } // namespace
 
@@ -40,7 +40,7 @@ void ClusterTree::build(std::span<BuildItem> clusters, std::uint32_t index, std:
     node.second = index + 2 * count;
     const auto build_first = [&] { build(clusters.first(count), node.first, depth_left - 1); };
     const auto build_second = [&] { build(clusters.subspan(count), node.second, depth_left - 1); };
-    if (clusters.size() > task_size) {
+    if (clusters.size() > clusters_a_task) {
         parallel_both(build_first, build_second);
     } else {
         build_first();

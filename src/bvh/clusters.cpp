@@ -9,7 +9,7 @@
 namespace vkbake {
 namespace {
 
-constexpr std::size_t grain = 8192;
+constexpr std::size_t triangles_a_count = 8192;
 constexpr std::size_t lookahead = 16; // triangles that are fetched ahead
 constexpr std::size_t most_counters = std::size_t{1} << 20U;
 
@@ -17,7 +17,8 @@ constexpr std::size_t most_counters = std::size_t{1} << 20U;
 class Counters {
 public:
     Counters(std::size_t triangles, std::size_t cells)
-        : m_cells(cells), m_block(std::max(grain, triangles / std::max<std::size_t>(most_counters / cells, 1) + 1)),
+        : m_cells(cells),
+          m_block(std::max(triangles_a_count, triangles / std::max<std::size_t>(most_counters / cells, 1) + 1)),
           m_blocks(std::max<std::size_t>((triangles + m_block - 1) / m_block, 1)), m_clusters(m_blocks * cells) {}
 
     [[nodiscard]] std::size_t block_size() const { return m_block; }
@@ -91,7 +92,7 @@ std::vector<Cluster> cluster_triangles(const ListedTriangles& triangles, int spl
                                        const PlaceTriangle& place_triangle) {
     const ClusterGrid grid(triangles, splits, threads);
     std::vector<std::uint32_t> cells(triangles.size()); // by rank
-    parallel_ranges(triangles.end_number(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    parallel_ranges(triangles.end_number(), triangles_a_count, threads, [&](std::size_t begin, std::size_t end) {
         triangles.each_by_number(
             begin, end, [&](const Triangle& triangle, std::uint32_t rank) { cells[rank] = grid.cell_of(triangle); });
     });

@@ -23,7 +23,7 @@ struct Link {
     std::size_t part;
 };
 
-struct Layout {
+struct PartLayout {
     std::vector<Placed> parts;
     std::vector<Link> links;
     std::size_t nodes = 0;
@@ -90,7 +90,7 @@ private:
 
 void join(HierarchyPart& root, const ListedTriangles& triangles, std::span<const std::uint16_t> corners,
           Hierarchy& hierarchy, int threads) {
-    Layout layout;
+    PartLayout layout;
     layout.add(root);
     if (layout.leaves > greatest_leaf_count) {
         throw Error(ErrorKind::bad_input, "accelerator: more than 2^27 leaves; split the scene");

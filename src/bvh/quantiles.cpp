@@ -10,7 +10,7 @@
 namespace vkbake {
 namespace {
 
-constexpr std::size_t grain = 8192;
+constexpr std::size_t keys_a_range = 8192;
 constexpr std::size_t sample_size = 16384;
 
 using ByAxis = std::array<std::vector<float>, 3>;
@@ -133,7 +133,7 @@ std::array<std::vector<float>, 3> quantiles(const ListedTriangles& triangles, st
     }
     const std::vector<Window> where = windows(sample(triangles), splits);
     std::vector<Searches> by_worker(worker_count(threads), Searches(where.size()));
-    parallel_ranges_by_worker(triangles.end_number(), grain, threads,
+    parallel_ranges_by_worker(triangles.end_number(), keys_a_range, threads,
                               [&](std::size_t begin, std::size_t end, std::size_t worker) {
                                   search(triangles, begin, end, where, by_worker[worker]);
                               });

@@ -19,13 +19,13 @@ bool has_area(const Triangle& triangle) {
     return normal != glm::dvec3(0.0);
 }
 
-constexpr std::size_t grain = 8192;
+constexpr std::size_t ranks_a_range = 8192;
 
 // Marks with no_triangle those without area, and bounds the others; those that are marked already are left out.
 Box bounds_of_listed(std::span<const glm::vec3> positions, std::vector<std::uint32_t>& ranks, int threads) {
     std::vector<Box> by_worker(worker_count(threads));
     parallel_ranges_by_worker(
-        ranks.size(), grain, threads, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+        ranks.size(), ranks_a_range, threads, [&](std::size_t begin, std::size_t end, std::size_t worker) {
             Box box;
             for (std::size_t number = begin; number < end; ++number) {
                 if (ranks[number] == no_triangle) {
