@@ -43,7 +43,7 @@ struct RandomMap {
                                             0.01F * static_cast<float>(y)};
             }
         }
-        chart.resize(static_cast<std::size_t>(width + height), 0);
+        chart.resize(static_cast<std::size_t>(width) + static_cast<std::size_t>(height), 0);
         for (std::size_t triangle = 0; triangle < chart.size(); ++triangle) {
             chart[triangle] = static_cast<std::uint32_t>(triangle / 3);
         }
