@@ -19,7 +19,7 @@ work = tempfile.TemporaryDirectory()
 
 
 def sky_with_sun(file, sun):
-    """A panorama, brighter upwards, with or without a sun of 0.7 degrees, 100,000 times as bright. Radiance RGBE, as it is."""
+    """A panorama, brighter upwards, with or without a sun of 1.4 by 0.7 degrees, 100,000 times as bright. Radiance RGBE, as it is."""
     width, height = 512, 256
     texels = bytearray()
     for row in range(height):
@@ -46,7 +46,8 @@ cases = [  # scene, what it is there to show, flags as planned, what leaves that
     ("lamps", "lamps", {}, {"--lamps": "off"}),
     ("pergola", "leaves and glass", {"--lamps": "off"}, {"--alpha": "opaque"}),
     ("storage-room", "bounces", {"--bounces": "3"}, {"--bounces": "0"}),
-    ("pergola", "all of it", {"--sky": sunny, "--bounces": "3"}, {"--bounces": "0", "--sky": plain, "--lamps": "off", "--alpha": "opaque"}),
+    ("pergola", "all of it", {"--sky": sunny, "--bounces": "3"},
+     {"--bounces": "0", "--sky": plain, "--lamps": "off", "--alpha": "opaque"}),
 ]
 
 
