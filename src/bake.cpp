@@ -26,7 +26,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     bake.notes.insert(bake.notes.end(), sky.notes.begin(), sky.notes.end());
     StageClock clock(progress, settings.seconds);
 
-    check_memory(memory_need(scene, sky, settings), settings);
+    check_least_memory(memory_need(scene, sky, settings), settings);
     bake.surface = clock.run("surface", [&] { return make_surface(scene); });
     if (bake.surface.triangle_count() == 0) {
         throw Error(ErrorKind::bad_input,
@@ -39,7 +39,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     bake.atlas = clock.run("atlas", [&] { return make_atlas(scene, bake.surface, settings); });
     add_notes(bake.atlas.notes);
     add_notes(note_small_texels(bake.surface, bake.atlas));
-    check_memory(memory_need(scene, sky, settings, bake.atlas.pages.size()), settings);
+    check_memory(memory_need(scene, sky, settings, &bake.atlas), settings);
     std::optional<SurfaceOpacity> opacity;
     const Tracer tracer = clock.run("accelerator", [&] {
         opacity = make_opacity(scene, bake.surface, settings);

@@ -109,7 +109,7 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
     for (std::uint32_t page = 0; page < atlas.pages.size(); ++page) {
         inspection.covered_texels += static_cast<std::uint64_t>(std::llround(expected_coverage(atlas, page)));
     }
-    inspection.memory = peak_memory(memory_need(scene, sky, settings, atlas.pages.size()));
+    inspection.memory = peak_memory(memory_need(scene, sky, settings, &atlas));
     inspection.memory_limit = memory_limit(settings);
     const auto rays = [&](std::uint32_t asked) -> std::uint64_t {
         return settings.sampler == Sampler::thesis ? 256 : asked;
