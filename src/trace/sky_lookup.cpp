@@ -66,9 +66,10 @@ void add_face(BorderedImages& bordered, const CubeSky& sky, int face) {
         for (const int y : {-1, size}) {
             const int inner_x = std::clamp(x, 0, size - 1);
             const int inner_y = std::clamp(y, 0, size - 1);
-            bordered.at(face, x, y) =
+            const glm::vec3 mean =
                 (bordered.at(face, inner_x, inner_y) + bordered.at(face, x, inner_y) + bordered.at(face, inner_x, y)) /
                 3.0F;
+            bordered.at(face, x, y) = packed_near(mean); // no texel's own value: so it costs no picture its packing
         }
     }
 }
@@ -210,6 +211,14 @@ SkyLookup make_sky_lookup(const Sky& sky) {
                "its brightest value times the intensity does not fit a float; lower the intensity");
     }
     return std::visit(MakeLookup{SkyTurn(sky.rotation_degrees)}, sky.source);
+}
+
+void pack(SkyLookup& sky) {
+    if (auto* const panorama = std::get_if<EquirectangularLookup>(&sky)) {
+        panorama->image.pack();
+    } else if (auto* const cube = std::get_if<CubeLookup>(&sky)) {
+        cube->faces.pack();
+    }
 }
 
 } // namespace vkbake

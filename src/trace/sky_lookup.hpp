@@ -70,4 +70,7 @@ using SkyLookup = std::variant<ConstantLookup, ClearSkyLookup, EquirectangularLo
 /// or its greatest value times the intensity does not fit a float.
 [[nodiscard]] SkyLookup make_sky_lookup(const Sky& sky);
 
+/// BorderedImages::pack, where it is a picture.
+void pack(SkyLookup& sky);
+
 } // namespace vkbake

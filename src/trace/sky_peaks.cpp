@@ -194,7 +194,7 @@ void SkyPeaks::collect(BorderedImages& images, int image_count, double threshold
                 glm::vec3& texel = images.at(image, x, y);
                 const double bright = luminance(glm::dvec3(texel));
                 if (bright > threshold) {
-                    const glm::vec3 rest(glm::dvec3(texel) * (threshold / bright));
+                    const glm::vec3 rest = packed_below(glm::vec3(glm::dvec3(texel) * (threshold / bright)));
                     m_peaks.push_back({image, x, y, glm::dvec3(texel) - glm::dvec3(rest)});
                     texel = rest;
                 }

@@ -110,20 +110,28 @@ void write_clear(const ClearSkyLookup& sky, const SkyRays& rays, RadianceRows& o
 }
 
 void write_equirectangular(const EquirectangularLookup& sky, const SkyRays& rays, RadianceRows& out) {
-    write(EquirectangularRadiance(sky), rays, out);
+    sky.image.is_packed() ? write(EquirectangularRadiance<PackedTexels>(sky), rays, out)
+                          : write(EquirectangularRadiance<FloatTexels>(sky), rays, out);
 }
 
-void write_cube(const CubeLookup& sky, const SkyRays& rays, RadianceRows& out) { write(CubeRadiance(sky), rays, out); }
+void write_cube(const CubeLookup& sky, const SkyRays& rays, RadianceRows& out) {
+    sky.faces.is_packed() ? write(CubeRadiance<PackedTexels>(sky), rays, out)
+                          : write(CubeRadiance<FloatTexels>(sky), rays, out);
+}
 
 void add_constant(const SkyRays& rays, LaneSums& sums) { add(UnitRadiance(), rays, sums); }
 
 void add_clear(const ClearSkyLookup& sky, const SkyRays& rays, LaneSums& sums) { add(ClearRadiance(sky), rays, sums); }
 
 void add_equirectangular(const EquirectangularLookup& sky, const SkyRays& rays, LaneSums& sums) {
-    add(EquirectangularRadiance(sky), rays, sums);
+    sky.image.is_packed() ? add(EquirectangularRadiance<PackedTexels>(sky), rays, sums)
+                          : add(EquirectangularRadiance<FloatTexels>(sky), rays, sums);
 }
 
-void add_cube(const CubeLookup& sky, const SkyRays& rays, LaneSums& sums) { add(CubeRadiance(sky), rays, sums); }
+void add_cube(const CubeLookup& sky, const SkyRays& rays, LaneSums& sums) {
+    sky.faces.is_packed() ? add(CubeRadiance<PackedTexels>(sky), rays, sums)
+                          : add(CubeRadiance<FloatTexels>(sky), rays, sums);
+}
 
 } // namespace vkbake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -120,7 +120,9 @@ struct Tracer::State {
           lamps(bakes_lamps(asked) ? make_lamp_set(given, traced.frame, intensity) : LampSet()),
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
-          visibility(traced, accelerator_settings(asked), opacity) {}
+          visibility(traced, accelerator_settings(asked), opacity) {
+        pack(radiance);
+    }
 
     [[nodiscard]] Workers make_workers(const GeometryImage& geometry) const {
         Workers workers(worker_count(threads));
