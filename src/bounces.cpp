@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "imageio/decode.hpp"
@@ -97,6 +98,7 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
         for (std::size_t page = 0; page < pages; ++page) {
             colors.push_back(make_surface_colors(scene, bake.surface, draw(page), textures, bake.settings.alpha));
             lights.push_back(leaving(bake.light_maps[page].image, colors[page], true));
+            lights[page].emission = std::move(colors[page].emission); // which is sent once
         }
         return 0;
     });
@@ -105,11 +107,18 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
             add(lights, sent.pages);
         }
         const SurfaceLight light(bake.surface, bake.atlas, lights, sent.two_sided);
+        const std::optional<EmitterSet> emitters = tracer.find_emitters(light);
+        if (emitters) {
+            bake.notes.push_back(scene.name + ": " + std::to_string(emitters->count()) +
+                                 " triangles are far brighter than the rest; rays seek them");
+        }
         std::vector<LeavingLight> next;
         for (std::size_t page = 0; page < pages; ++page) {
             clock.begin_page((bounce - 1) * pages + page, bake.settings.bounces * pages);
-            const LightMap gathered = clock.run(
-                "bounces", [&] { return tracer.gather(draw(page), light, bounce, clock.trace_progress("bounces")); });
+            const LightMap gathered = clock.run("bounces", [&] {
+                return tracer.gather(draw(page), light, bounce, emitters ? &*emitters : nullptr,
+                                     clock.trace_progress("bounces"));
+            });
             add(gathered, bake.light_maps[page]);
             next.push_back(leaving(gathered.image, colors[page], false));
         }

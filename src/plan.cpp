@@ -154,7 +154,8 @@ PlanEntry plan_emission(const Scene& scene, const Settings& settings) {
         return {"emission", false, materials + " emit; " + no_light(settings)};
     }
     return settings.bounces > 0
-               ? PlanEntry{"emission", true, materials + ", with the first bounce's rays"}
+               ? PlanEntry{"emission", true,
+                           materials + ", with the first bounce's rays; what is small and bright has rays of its own"}
                : PlanEntry{"emission", false, materials + " emit, which --bounces 1 or more would bring"};
 }
 

@@ -20,11 +20,28 @@ void GatherTracer::sum_up(const TexelTile& tile) {
                 const Ray ray = ray_of(block, stratum, lane);
                 const double weight = weights[stratum] * m_rays.weight(stratum, lane);
                 for (const SeenSurface& seen : m_visibility->surfaces(ray, m_scratch)) {
-                    m_sums[lane] += weight * (glm::dvec3(seen.share) * glm::dvec3(m_light->along(ray, seen.hit)));
+                    m_sums[lane] += weight * (glm::dvec3(seen.share) * glm::dvec3(arriving(lane, ray, seen.hit)));
                 }
             }
         }
     }
+    if (m_emitters) {
+        m_emitters->add(m_rays.lanes(), m_sums);
+        m_counts.emitter_rays = m_emitters->rays();
+    }
+}
+
+glm::vec3 GatherTracer::arriving(std::size_t lane, const Ray& ray, const Hit& hit) const {
+    const glm::vec3 light = m_light->along(ray, hit);
+    if (!m_emitters) {
+        return light;
+    }
+    const glm::vec3 emission = m_light->emission_along(ray, hit);
+    if (emission == glm::vec3(0.0F)) {
+        return light;
+    }
+    const auto left = static_cast<float>(m_emitters->weight(m_rays.lanes(), lane, ray, hit));
+    return (light - emission) + left * emission;
 }
 
 } // namespace vkbake

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
+#include "trace/emitter_tracer.hpp"
 #include "trace/surface_light.hpp"
 #include "trace/tile_rays.hpp"
 #include "trace/tile_tracer.hpp"
@@ -16,11 +18,15 @@ namespace vkbake {
 /// something is asked in blocks; what they see of it, of those alone, ray by ray.
 class GatherTracer {
 public:
-    /// All must outlive it.
+    /// All must outlive it. `emitters`: of the same light, to be sought; null where there are none.
     GatherTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SurfaceLight& light,
-                 const Visibility& visibility)
+                 const Visibility& visibility, const EmitterSet* emitters)
         : m_plan(&plan), m_light(&light), m_visibility(&visibility), m_rays(surface, geometry, plan),
-          m_scratch(visibility.make_scratch()) {}
+          m_scratch(visibility.make_scratch()) {
+        if (emitters != nullptr) {
+            m_emitters.emplace(*emitters, plan, visibility);
+        }
+    }
 
     /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
     template<typename Store>
@@ -36,12 +42,15 @@ public:
 
 private:
     void sum_up(const TexelTile& tile);
+    /// What arrives along a ray that met a surface, less what rays that seek emitters bring of it.
+    [[nodiscard]] glm::vec3 arriving(std::size_t lane, const Ray& ray, const Hit& hit) const;
 
     const RayPlan* m_plan;          ///< never null
     const SurfaceLight* m_light;    ///< never null
     const Visibility* m_visibility; ///< never null
     TileRays m_rays;
     VisibilityScratch m_scratch;
+    std::optional<EmitterTracer> m_emitters;
     std::array<glm::dvec3, RayBlock::lanes> m_sums{};
     RayCounts m_counts;
 };

@@ -18,7 +18,7 @@ int texel_of(double coordinate, int size) {
 }
 
 /// The texel itself; where rounding took the point just over the border of a chart, the first covered one around it.
-glm::vec3 light_at(const LeavingLight& page, int x, int y) {
+glm::vec3 light_at(const LeavingLight& page, const std::vector<glm::vec3>& light, int x, int y) {
     constexpr std::array<std::array<int, 2>, 9> steps{
         {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
     for (const auto& [right, down] : steps) {
@@ -30,7 +30,7 @@ glm::vec3 light_at(const LeavingLight& page, int x, int y) {
         const auto texel =
             static_cast<std::size_t>(row) * static_cast<std::size_t>(page.width) + static_cast<std::size_t>(column);
         if (page.covered[texel] != 0) {
-            return page.radiance[texel];
+            return light[texel];
         }
     }
     return glm::vec3(0.0F);
@@ -38,18 +38,33 @@ glm::vec3 light_at(const LeavingLight& page, int x, int y) {
 
 } // namespace
 
-glm::vec3 SurfaceLight::along(const Ray& ray, const Hit& hit) const {
-    if (!shows(hit)) {
-        return glm::vec3(0.0F);
-    }
-    const std::size_t first = std::size_t{3} * hit.triangle;
-    const glm::dvec3 weights = weights_at(*m_surface, ray, hit);
+bool SurfaceLight::emits() const {
+    return std::ranges::any_of(m_pages, [](const LeavingLight& page) { return !page.emission.empty(); });
+}
+
+glm::vec3 SurfaceLight::look_up(std::uint32_t triangle, const glm::dvec3& weights,
+                                std::vector<glm::vec3> LeavingLight::*what) const {
+    const std::size_t first = std::size_t{3} * triangle;
     glm::dvec2 uv(0.0);
     for (int corner = 0; corner < 3; ++corner) {
         uv += weights[corner] * glm::dvec2(m_atlas->uvs[first + static_cast<std::size_t>(corner)]);
     }
-    const LeavingLight& page = m_pages[m_atlas->page[hit.triangle]];
-    return light_at(page, texel_of(uv.x, page.width), texel_of(uv.y, page.height));
+    const LeavingLight& page = m_pages[m_atlas->page[triangle]];
+    return (page.*what).empty() ? glm::vec3(0.0F)
+                                : light_at(page, page.*what, texel_of(uv.x, page.width), texel_of(uv.y, page.height));
+}
+
+glm::vec3 SurfaceLight::along(const Ray& ray, const Hit& hit) const {
+    return shows(hit) ? look_up(hit.triangle, weights_at(*m_surface, ray, hit), &LeavingLight::radiance)
+                      : glm::vec3(0.0F);
+}
+
+glm::vec3 SurfaceLight::emission(std::uint32_t triangle, const glm::dvec3& weights) const {
+    return look_up(triangle, weights, &LeavingLight::emission);
+}
+
+glm::vec3 SurfaceLight::emission_along(const Ray& ray, const Hit& hit) const {
+    return shows(hit) ? emission(hit.triangle, weights_at(*m_surface, ray, hit)) : glm::vec3(0.0F);
 }
 
 } // namespace vkbake

@@ -18,6 +18,7 @@ struct LeavingLight {
     int width = 0;
     int height = 0;
     std::vector<glm::vec3> radiance;   ///< row-major
+    std::vector<glm::vec3> emission;   ///< what of `radiance` is emitted; empty where nothing is
     std::vector<std::uint8_t> covered; ///< 1 where the texel was baked
 };
 
@@ -36,11 +37,21 @@ public:
     /// What arrives along a ray from where it ends.
     [[nodiscard]] glm::vec3 along(const Ray& ray, const Hit& hit) const;
     /// Whether the side that was met is to be seen: a front, or a back that its material shows.
-    [[nodiscard]] bool shows(const Hit& hit) const {
-        return !hit.back_side || m_two_sided[m_surface->parts_of[hit.triangle]] != 0;
+    [[nodiscard]] bool shows(const Hit& hit) const { return !hit.back_side || shows_back(hit.triangle); }
+    [[nodiscard]] bool shows_back(std::uint32_t triangle) const {
+        return m_two_sided[m_surface->parts_of[triangle]] != 0;
     }
 
+    [[nodiscard]] bool emits() const;
+    /// What a point of a triangle emits, on sides that show; `weights`: barycentric.
+    [[nodiscard]] glm::vec3 emission(std::uint32_t triangle, const glm::dvec3& weights) const;
+    /// What of along() is emitted.
+    [[nodiscard]] glm::vec3 emission_along(const Ray& ray, const Hit& hit) const;
+
 private:
+    [[nodiscard]] glm::vec3 look_up(std::uint32_t triangle, const glm::dvec3& weights,
+                                    std::vector<glm::vec3> LeavingLight::*what) const;
+
     const Surface* m_surface; ///< never null
     const Atlas* m_atlas;     ///< never null
     std::span<const LeavingLight> m_pages;

@@ -25,10 +25,11 @@ struct RayCounts {
     std::uint64_t skipped_directions = 0;
     std::uint64_t probed_hits = 0;
     std::uint64_t back_side_hits = 0;
-    std::uint64_t lamp_rays = 0; ///< beside `rays`
-    std::uint64_t peak_rays = 0; ///< beside both
+    std::uint64_t lamp_rays = 0;    ///< beside `rays`
+    std::uint64_t peak_rays = 0;    ///< beside both
+    std::uint64_t emitter_rays = 0; ///< beside all of these
 
-    [[nodiscard]] std::uint64_t all() const { return rays + lamp_rays + peak_rays; }
+    [[nodiscard]] std::uint64_t all() const { return rays + lamp_rays + peak_rays + emitter_rays; }
 
     RayCounts& operator+=(const RayCounts& other) {
         rays += other.rays;
@@ -39,6 +40,7 @@ struct RayCounts {
         back_side_hits += other.back_side_hits;
         lamp_rays += other.lamp_rays;
         peak_rays += other.peak_rays;
+        emitter_rays += other.emitter_rays;
         return *this;
     }
 };

@@ -114,13 +114,14 @@ Image empty_image(const GeometryImage& geometry) {
 
 struct Tracer::State {
     State(const Surface& traced, const Sky& sky, const Settings& asked, std::span<const Lamp> given,
-          const SurfaceOpacity* opacity)
-        : surface(&traced), threads(checked(asked).threads), radiance(make_radiance(sky, asked)),
-          intensity(intensity_of(sky, asked)), peaks(take_peaks(radiance, asked, notes)),
+          const SurfaceOpacity* opacity_of_it)
+        : surface(&traced), opacity(opacity_of_it), threads(checked(asked).threads),
+          radiance(make_radiance(sky, asked)), intensity(intensity_of(sky, asked)),
+          peaks(take_peaks(radiance, asked, notes)),
           lamps(bakes_lamps(asked) ? make_lamp_set(given, traced.frame, intensity) : LampSet()),
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
-          visibility(traced, accelerator_settings(asked), opacity) {
+          visibility(traced, accelerator_settings(asked), opacity_of_it) {
         pack(radiance);
     }
 
@@ -177,6 +178,7 @@ struct Tracer::State {
     }
 
     const Surface* surface; ///< never null
+    const SurfaceOpacity* opacity;
     int threads;
     std::vector<std::string> notes;
     SkyLookup radiance;
@@ -251,8 +253,16 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     return map;
 }
 
+std::optional<EmitterSet> Tracer::find_emitters(const SurfaceLight& light) const {
+    if (m_state->plan.settings().sampler != Sampler::cosine || !light.emits()) {
+        return std::nullopt;
+    }
+    EmitterSet emitters(*m_state->surface, light, m_state->opacity);
+    return emitters.empty() ? std::nullopt : std::optional(std::move(emitters));
+}
+
 LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
-                        const TraceProgress& progress) const {
+                        const EmitterSet* emitters, const TraceProgress& progress) const {
     const DefaultFloatState float_state;
     const auto start = std::chrono::steady_clock::now();
     const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
@@ -262,7 +272,8 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
     const RayPlan plan(settings, m_state->plan.max_distance());
     std::vector<std::unique_ptr<GatherTracer>> workers(worker_count(m_state->threads));
     for (auto& worker : workers) {
-        worker = std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->visibility);
+        worker =
+            std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->visibility, emitters);
     }
     LightMap map{.image = empty_image(geometry)};
     const TileLoop loop{.count = tiles.size(),
@@ -275,7 +286,7 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
             map.image.coverage[texel] = 1.0F;
         });
     });
-    map.statistics.bounce_rays = sum_of(workers).rays;
+    map.statistics.bounce_rays = sum_of(workers).all();
     map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return map;
 }

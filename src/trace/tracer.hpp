@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "trace/emitter_set.hpp"
 #include "trace/lamp_set.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/sky_peaks.hpp"
@@ -67,9 +68,13 @@ public:
                                  std::vector<float>* variance = nullptr) const;
 
     /// What surfaces send to the texels in place of the sky: E/π of one bounce, with rays of its own for each `bounce`
-    /// (1, 2 …). Sets the image and, of the statistics, bounce_rays and seconds. Else as trace().
+    /// (1, 2 …). Sets the image and, of the statistics, bounce_rays and seconds. Else as trace(). `emitters`: of
+    /// `light`, for rays to seek as well; null where there are none. Sampler cosine only.
     [[nodiscard]] LightMap gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
-                                  const TraceProgress& progress = {}) const;
+                                  const EmitterSet* emitters = nullptr, const TraceProgress& progress = {}) const;
+
+    /// Of what `light` emits; absent where that needs no rays of its own.
+    [[nodiscard]] std::optional<EmitterSet> find_emitters(const SurfaceLight& light) const;
 
     [[nodiscard]] TracedScene scene() const;
 
