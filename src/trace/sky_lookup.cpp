@@ -1,6 +1,7 @@
 #include "trace/sky_lookup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,10 +67,12 @@ void add_face(BorderedImages& bordered, const CubeSky& sky, int face) {
         for (const int y : {-1, size}) {
             const int inner_x = std::clamp(x, 0, size - 1);
             const int inner_y = std::clamp(y, 0, size - 1);
-            const glm::vec3 mean =
-                (bordered.at(face, inner_x, inner_y) + bordered.at(face, x, inner_y) + bordered.at(face, inner_x, y)) /
-                3.0F;
-            bordered.at(face, x, y) = packed_near(mean); // no texel's own value: so it costs no picture its packing
+            const std::array<glm::vec3, 3> around{bordered.at(face, inner_x, inner_y), bordered.at(face, x, inner_y),
+                                                  bordered.at(face, inner_x, y)};
+            const glm::vec3 mean = (around[0] + around[1] + around[2]) / 3.0F;
+            // It is no texel's own value: where these pack it does, so that it costs no picture its packing.
+            const bool pack = std::ranges::all_of(around, [](const glm::vec3& v) { return packed_near(v) == v; });
+            bordered.at(face, x, y) = pack ? packed_near(mean) : mean;
         }
     }
 }
