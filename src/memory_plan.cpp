@@ -23,8 +23,8 @@ constexpr std::uint64_t program_bytes = 256U << 20U;
 /// Surface 104, atlas 32, and the greater of what makes the atlas and of what builds and keeps the accelerator;
 /// measured 320 with a million triangles.
 constexpr std::uint64_t triangle_bytes = 500;
-/// RGBA as read is in `held`; RGB floats for look-ups.
-constexpr std::uint64_t sky_texel_bytes = 12;
+/// RGBA as read is in `held`; RGB floats for look-ups, and what they are packed into beside them.
+constexpr std::uint64_t sky_texel_bytes = 16;
 /// Of every map until all are written: RGBA and coverage.
 constexpr std::uint64_t map_texel_bytes = 20;
 /// Of what is touched of it: its 8-bit picture as PNG and in the .glb.
