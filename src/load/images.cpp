@@ -84,7 +84,11 @@ private:
         }
         Source source{.declared = image.string("mimeType").value_or(""), .where = image.where()};
         if (view) {
-            source.view = plain_view(*view, source.where);
+            const BufferView bytes = read_view(m_context, m_document.json, *view);
+            if (!m_document.buffers.at(bytes.buffer)) {
+                image.fail("its bufferView " + std::to_string(*view) + " has no data");
+            }
+            source.view = plain_view(*view, bytes, source.where);
         } else if (is_data_uri(*uri)) {
             reserve_bytes(m_context, m_document, uri->size() / 4 * 3);
             auto data = decode_data_uri(*uri);
@@ -102,8 +106,7 @@ private:
     }
 
     /// A view of the same bytes without a stride, which an image must not have.
-    std::uint32_t plain_view(std::uint32_t index, const std::string& where) {
-        const BufferView view = read_view(m_context, m_document.json, index);
+    std::uint32_t plain_view(std::uint32_t index, const BufferView& view, const std::string& where) {
         if (view.stride == 0) {
             return index;
         }
