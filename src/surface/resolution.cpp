@@ -69,6 +69,9 @@ public:
             judge(m_surface.objects[index], measure(index));
         }
         std::vector<std::string> notes;
+        if (!m_has_area) {
+            notes.push_back(m_scene.name + ": no triangle has area, so there is nothing that light could fall on");
+        }
         if (m_small > 0) {
             notes.push_back(std::to_string(m_small) + " triangles span fewer than 64 steps of the bake frame, " +
                             metres(resolved_steps * m_step) +
@@ -115,6 +118,7 @@ private:
         if (extent.with_area == 0) {
             return;
         }
+        m_has_area = true;
         if (extent.span() < resolved_steps * m_step || extent.kept == 0) {
             throw Error(ErrorKind::bad_input,
                         m_scene.name + ": object \"" + object.name + "\" spans " + metres(extent.span()) +
@@ -134,7 +138,8 @@ private:
 
     const Scene& m_scene;
     const Surface& m_surface;
-    double m_step; ///< metres
+    double m_step;           ///< metres
+    bool m_has_area = false; ///< any
     std::uint64_t m_small = 0;
     std::uint64_t m_lost = 0;
     std::vector<std::string> m_with_small;

@@ -20,7 +20,7 @@ inline constexpr double resolved_steps = 64.0;
 
 /// Throws Error{bad_input} where an object that has area spans fewer than 64 steps, or keeps none of its area; the
 /// message names it and the step. Returns a note for what is lost of objects that do: triangles below 64 steps, and
-/// triangles whose area is lost to rounding.
+/// triangles whose area is lost to rounding; and one where nothing has area.
 [[nodiscard]] std::vector<std::string> check_resolution(const Scene& scene, const Surface& surface);
 
 /// A note where texels are smaller than 64 steps; nothing else.
