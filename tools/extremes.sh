@@ -16,6 +16,13 @@ trace_rays() {
     build/release/tools/extremes/vkbake_extremes "$rays"
 }
 
+# What takes too long for every day, or too much memory.
+run_long_tests() {
+    cmake --preset release -DVKBAKE_TESTS=ON >/dev/null
+    cmake --build --preset release --target test_extremes >/dev/null
+    build/release/tests/test_extremes --gtest_also_run_disabled_tests --gtest_filter='*DISABLED*' | grep '^\[  \|^\[ *OK'
+}
+
 # One reader: a row of the table.
 fuzz() {
     local log=build/fuzz/$1.log fault=no
@@ -56,6 +63,10 @@ report() {
     echo "## Rays at shared edges and corners"
     echo
     trace_rays || status=1
+    echo
+    echo "## Tests that take too long for every day"
+    echo
+    run_long_tests || status=1
     if [ "$seconds" -gt 0 ]; then
         echo
         echo "## Readers of foreign files, fuzzed (libFuzzer, address and undefined-behaviour sanitizers)"

@@ -64,6 +64,20 @@ TEST(Frame, ABoxOfOneCentimetreIsBakedRightOrRefused) {
     }
 }
 
+/// inspect says it before anything is baked; of bake the same is asked in tests/gpu.
+TEST(Frame, InspectNamesWhatIsTooSmall) {
+    const std::string message = refusal_of([] { (void)inspect(box_on_a_ground(1e5), small_settings()); });
+    EXPECT_TRUE(holds(message, "\"box\"") && holds(message, "0.00781 m")) << message;
+    Scene scene = scene_of(floor_of(500.0F));
+    add_object(scene, "detail", floor_of(0.05F), {0.0, 1.0, 0.0});
+    Settings settings = small_settings(64);
+    settings.layout = Layout::object;
+    const std::vector<std::string> notes = inspect(scene, settings).notes;
+    EXPECT_TRUE(std::ranges::any_of(notes, [](const std::string& note) {
+        return holds(note, "texels are smaller than 64 steps") && holds(note, "detail");
+    }));
+}
+
 TEST(Frame, WhatIsFarFromTheRestIsRefusedByName) {
     Scene scene = scene_of(floor_of(0.5F));
     add_object(scene, "far", floor_of(0.5F), {1e7, 0.0, 0.0});

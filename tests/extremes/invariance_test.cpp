@@ -162,13 +162,26 @@ TEST(Invariance, TheOrderOfAFileKeepsEveryBit) {
                             }}});
 }
 
-/// The visibility of each texel, and the bound of what N rays say of it: with a texel's samples independent of the
-/// other bake's, each share of N rays has a variance of at most 1/(4 N); so do the differences 1/(2 N), and a texel's
-/// exceeds 6 deviations less than once in 10⁸.
-void expect_within_the_interval(const HostBake& a, const HostBake& b, const Settings& settings) {
+/// One mesh that two nodes show, and two meshes alike with a node each.
+TEST(Invariance, SharingAMeshChangesNoBit) {
+    Scene scene = scene_of(floor_of(4.0F));
+    const Primitive sphere = sphere_of(0.75F, 4);
+    add_object(scene, "first", sphere, {-1.25, 1.0, 0.5});
+    add_object(scene, "second", sphere, {1.5, 1.25, -0.75}, odd_rotation());
+    expect_same_bits({scene, small_settings()}, {{"shared", [](Job& job) {
+                                                      job.scene.instances[2].mesh = 1;
+                                                      job.scene.meshes.pop_back();
+                                                  }}});
+}
+
+/// The light of each texel under skies of up to `brightest`, and the bound of what N rays say of it: with a texel's
+/// samples independent of the other bake's, each share of N rays has a variance of at most 1/(4 N); so do the
+/// differences 1/(2 N), and a texel's exceeds 6 deviations less than once in 10⁸.
+void expect_within_the_interval(const HostBake& a, const HostBake& b, const Settings& settings,
+                                double brightest = 1.0) {
     ASSERT_EQ(a.maps.size(), 1U);
     ASSERT_TRUE(same_bits(a.maps[0].image.coverage, b.maps[0].image.coverage));
-    const double deviation = std::sqrt(0.5 / settings.rays);
+    const double deviation = brightest * std::sqrt(0.5 / settings.rays);
     double sum = 0.0;
     double count = 0.0;
     for (std::size_t texel = 0; texel < a.maps[0].image.texels.size(); ++texel) {
@@ -209,6 +222,42 @@ TEST(Invariance, RotationsMirrorsAndOddMovesStayWithinTheInterval) {
     move_scene(far, glm::dvec3(0.1));
     expect_within_the_interval(at_far, bake_on_host(far, {}, settings), settings);
     expect_within_the_interval(expected, at_far, settings);
+}
+
+/// A sky of two halves, bright towards +X and +Z: turned with the scene about +Y by an odd angle, or mirrored in x with
+/// it (column i of the picture is then column 3/2 W − 1 − i), it gives the same light; alone it does not.
+TEST(Invariance, ASkyThatTurnsWithTheSceneGivesTheSameLight) {
+    constexpr int width = 32;
+    const auto sky_of = [](bool mirrored, double degrees) {
+        Image image{width, 2, {}, {}};
+        for (int texel = 0; texel < 2 * width; ++texel) {
+            const int column = mirrored ? (3 * width / 2 - 1 - texel % width) % width : texel % width;
+            image.texels.emplace_back(glm::vec3(column >= width / 2 && column < 3 * width / 4 ? 2.0F : 0.25F), 1.0F);
+        }
+        return Sky{.source = EquirectangularSky{std::move(image)}, .rotation_degrees = degrees};
+    };
+    Settings settings = small_settings(32, amount(256, 64));
+    settings.mode = Mode::irradiance;
+    settings.sun = Switch::off;
+    settings.charts = ChartMaker::polypack;
+    const Scene made = furnished_scene();
+    const Scene scene = with_uvs_of(made, bake_on_host(made, {}, settings));
+    settings.uv = UvSource::keep;
+    const HostBake expected = bake_on_host(scene, sky_of(false, 0.0), settings);
+    const auto changed = [&](const glm::dmat3& map) {
+        Scene result = scene;
+        for (Instance& instance : result.instances) {
+            instance.linear = map * instance.linear;
+            instance.translation = map * instance.translation;
+        }
+        return result;
+    };
+    const double angle = glm::radians(37.0);
+    const Scene turned =
+        changed(glm::dmat3(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0, std::cos(angle)));
+    expect_within_the_interval(expected, bake_on_host(turned, sky_of(false, 37.0), settings), settings, 2.0);
+    const Scene mirrored = changed(glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1));
+    expect_within_the_interval(expected, bake_on_host(mirrored, sky_of(true, 0.0), settings), settings, 2.0);
 }
 
 /// Moved by what is no grid step, no vertex leaves its place in the world by more than a double's and a float's

@@ -127,6 +127,27 @@ TEST(Light, SkiesOfOneTexelAreConstant) {
     }
 }
 
+/// No place of it is counted in too few bits. It takes 4 GiB and seconds, so tools/extremes.sh runs it.
+TEST(Light, DISABLED_ASkyOf16384By8192Texels) {
+    constexpr int width = 16384;
+    constexpr int height = 8192;
+    Image image{width, height, std::vector<glm::vec4>(std::size_t{width} * height, glm::vec4(0.5F)), {}};
+    const std::pair<int, int> places[] = {
+        {0, 0}, {width - 1, 0}, {0, height - 1}, {width - 1, height - 1}, {5000, 7000}, {width - 1, height / 2}};
+    for (std::size_t i = 0; i < std::size(places); ++i) {
+        image.texels[image.index(places[i].first, places[i].second)] = glm::vec4(static_cast<float>(i + 1));
+    }
+    const SkyLookup lookup = make_sky_lookup({.source = EquirectangularSky{std::move(image)}});
+    for (std::size_t i = 0; i < std::size(places); ++i) {
+        const double around = 2.0 * std::numbers::pi * ((places[i].first + 0.5) / width - 0.5);
+        const double polar = std::numbers::pi * (places[i].second + 0.5) / height;
+        const glm::dvec3 direction(std::cos(around) * std::sin(polar), std::cos(polar),
+                                   std::sin(around) * std::sin(polar));
+        const glm::vec3 found = radiance(lookup, glm::vec3(direction));
+        EXPECT_NEAR(found.x, static_cast<float>(i + 1), 0.02F * static_cast<float>(i + 1)) << i;
+    }
+}
+
 TEST(Light, RadianceThatIsNoneIsRefusedWhereNoReaderCleansIt) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), infinite, -infinite, -1.0F, -1e-30F}) {

@@ -163,6 +163,29 @@ void expect_agreement(Accelerator kind, TriangleTest test, int splits) {
     }
 }
 
+/// One triangle ten thousand times: neither found more than once nor at another place, and the first of them.
+TEST(RaysAgreement, TenThousandInOnePlaceAreAsOne) {
+    const std::vector<glm::vec3> corners{{-0.5F, 0.0F, 0.0F}, {0.5F, 0.0F, 0.0F}, {0.0F, 0.5F, 0.25F}};
+    const Triangles one = make_triangles("one", corners);
+    std::vector<glm::vec3> many;
+    for (int copy = 0; copy < 10000; ++copy) {
+        many.insert(many.end(), corners.begin(), corners.end());
+    }
+    const Triangles all = make_triangles("many", std::move(many));
+    const TriangleAccelerator expected = accelerate(one, Accelerator::bvh);
+    for (const Accelerator kind : {Accelerator::brute, Accelerator::clusters, Accelerator::bvh}) {
+        const TriangleAccelerator found = accelerate(all, kind);
+        Random random(9);
+        for (int i = 0; i < 100; ++i) {
+            const Ray ray = any_ray(random, one);
+            const std::optional<Hit> hit = found.nearest(ray);
+            const std::optional<Hit> single = expected.nearest(ray);
+            ASSERT_EQ(hit.has_value(), single.has_value());
+            ASSERT_TRUE(!hit || (hit->triangle == 0U && hit->distance == single->distance));
+        }
+    }
+}
+
 TEST(RaysAgreement, ClustersWatertight) { expect_agreement(Accelerator::clusters, TriangleTest::watertight, 4); }
 TEST(RaysAgreement, ClustersWatertightFine) { expect_agreement(Accelerator::clusters, TriangleTest::watertight, 16); }
 TEST(RaysAgreement, Hierarchy) { expect_agreement(Accelerator::bvh, TriangleTest::watertight, 4); }

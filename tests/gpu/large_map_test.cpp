@@ -1,4 +1,5 @@
-// The largest map, of which little is covered: what is empty takes the map's own memory and no more.
+// Bakes of the largest and the smallest. Of the largest map little is covered: what is empty takes the map's own memory
+// and no more.
 #include <sys/resource.h>
 
 #include <gtest/gtest.h>
@@ -51,6 +52,27 @@ TEST(LargeMap, AChartOf64TexelsOn16384TakesTheMapsOwnMemory) {
     const std::uint64_t foretold = peak_memory(memory_need(scene, sky, settings, &baked.atlas));
     EXPECT_LE(foretold, 24ULL * size * size + 76ULL * 2048 * 2048 + gibibyte / 2);
     EXPECT_LE(peak_bytes(), foretold);
+}
+
+/// tests/extremes asks it of what bake calls; this, that bake calls it.
+TEST(Frame, BakeNamesWhatIsTooSmall) {
+    Scene scene = scene_of(floor_of(0.5F), {}, glm::dmat3(1e5));
+    add_object(scene, "box", box_of({-0.005F, 0.0F, -0.005F}, {0.005F, 0.01F, 0.005F}));
+    try {
+        (void)bake(scene, {}, small_settings(), device());
+        ADD_FAILURE() << "baked";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+        EXPECT_NE(std::string(error.what()).find("\"box\""), std::string::npos) << error.what();
+    }
+    scene = scene_of(floor_of(500.0F));
+    add_object(scene, "detail", floor_of(0.05F), {0.0, 1.0, 0.0});
+    Settings settings = small_settings(64, 1);
+    settings.layout = Layout::object;
+    const Bake baked = bake(scene, {}, settings, device());
+    EXPECT_TRUE(std::ranges::any_of(baked.notes, [](const std::string& note) {
+        return note.find("texels are smaller than 64 steps") != std::string::npos;
+    }));
 }
 
 } // namespace

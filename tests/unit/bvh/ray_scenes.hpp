@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -186,6 +187,50 @@ inline Triangles needle_fan(int count) {
         positions.insert(positions.end(), {bottom, rim(i), rim(i + 1)});
     }
     return make_triangles("needle fan", std::move(positions));
+}
+
+/// A closed double cone whose rim is of pairs of corners so near each other that every second triangle is 10⁷ times as
+/// long as wide.
+inline Triangles needle_pairs(int pairs) {
+    const glm::vec3 top(0.03F, 0.9F, -0.02F);
+    const glm::vec3 bottom(-0.01F, -0.9F, 0.04F);
+    const auto rim = [&](int i) {
+        const double turn = static_cast<double>(i / 2 % pairs) / pairs;
+        const float angle = static_cast<float>(6.283185307179586 * turn);
+        glm::vec3 point(0.8F * std::cos(angle), 0.1F * std::sin(3.0F * angle), 0.8F * std::sin(angle));
+        if (i % 2 != 0) { // one or two last places on
+            point.x = std::nextafter(point.x, 2.0F);
+            point.z = std::nextafter(point.z, 2.0F);
+        }
+        return point;
+    };
+    std::vector<glm::vec3> positions;
+    for (int i = 0; i < 2 * pairs; ++i) {
+        positions.insert(positions.end(), {top, rim(i + 1), rim(i), bottom, rim(i), rim(i + 1)});
+    }
+    return make_triangles("needles 1:10^7", std::move(positions));
+}
+
+struct MappedSphere {
+    Triangles triangles;
+    glm::vec3 middle{0.0F};
+};
+
+/// Closed: the unit sphere after a random affine map that makes it some 1000 times thinner in one direction.
+inline MappedSphere mapped_sphere(int levels, std::uint64_t seed) {
+    Random random(seed);
+    glm::mat3 map(0.0F);
+    do {
+        for (int column = 0; column < 3; ++column) {
+            map[column] = random.point(0.5F) * (column == 2 ? 1e-3F : 1.0F);
+        }
+    } while (std::abs(glm::dot(glm::cross(map[0], map[1]), map[2])) < 5e-5F);
+    const glm::vec3 middle = random.point(0.4F);
+    std::vector<glm::vec3> positions = sphere(levels, 1.0F, glm::vec3(0.0F)).positions;
+    for (glm::vec3& position : positions) {
+        position = map * position + middle;
+    }
+    return {make_triangles("sphere, affine map " + std::to_string(seed), std::move(positions)), middle};
 }
 
 /// Closed, from −1 to 1; each face n × n squares.

@@ -104,6 +104,7 @@ TEST(Decode, BombsAreRefusedBeforeTheyAreDecoded) {
         message_of(ErrorKind::bad_input, [&] { (void)decode_rgba8(encoded(with_claimed_size(png, 16385, 1))); });
     EXPECT_NE(message.find("16385"), std::string::npos) << message;
     message_of(ErrorKind::bad_input, [&] { (void)decode_rgba8(encoded(with_claimed_size(png, 1, 1000000))); });
+    message_of(ErrorKind::bad_input, [&] { (void)decode_rgba8(encoded(with_claimed_size(png, 65535, 65535))); });
     // 16384² texels of four floats are 4 GiB.
     const std::string large =
         message_of(ErrorKind::bad_input, [&] { (void)decode_image(encoded(with_claimed_size(png, 16384, 16384))); });

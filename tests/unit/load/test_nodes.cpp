@@ -4,6 +4,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "amount.hpp"
 #include "document_builder.hpp"
 
 namespace vkbake::test {
@@ -115,7 +116,7 @@ TEST(Nodes, ScenesAreChosenWithANote) {
 
 TEST(Nodes, AVeryDeepHierarchyLoads) {
     DocumentBuilder builder = triangle_document();
-    constexpr std::size_t depth = 20'000;
+    constexpr std::size_t depth = amount<std::size_t>(100'000, 10'000);
     for (std::size_t i = 1; i < depth; ++i) {
         builder.json["nodes"].push_back({{"children", {i - 1}}, {"translation", {1, 0, 0}}});
     }
