@@ -136,7 +136,7 @@ std::unique_ptr<OIIO::ImageInput> make_input(OIIO::Filesystem::IOProxy& file, co
         refuse(where, "is of no format known here", "give an EXR, HDR, PNG or JPEG image");
     }
     if (format == "openexr" && !holds_its_attributes(file)) {
-        refuse(where, "cannot be decoded: it ends within its header", damaged_advice);
+        refuse(where, "cannot be decoded: its header announces what the file does not hold", damaged_advice);
     }
     auto input = OIIO::ImageInput::create(std::string(format));
     if (!input) {

@@ -121,7 +121,39 @@ TEST(Decode, AnExrWhoseHeaderAnnouncesMoreThanTheFileHoldsIsRefused) {
         ASSERT_NE(found, exr.end());
         std::memcpy(&*found + place.size(), &size, sizeof(size));
         const std::string message = message_of(ErrorKind::bad_input, [&] { (void)decode_image(encoded(exr)); });
-        EXPECT_NE(message.find("ends within its header"), std::string::npos) << message;
+        EXPECT_NE(message.find("its header announces"), std::string::npos) << message;
+    }
+}
+
+/// A list of channels that is longer than it says, behind which OpenEXR would read on at another place than we do: the
+/// same two gigabytes.
+TEST(Decode, AnExrWhoseAttributesAreNotAsLongAsTheySayIsRefused) {
+    const std::vector<std::uint8_t> whole = encode_image(test::filled(4, 4, glm::vec4(0.5F)), ImageFormat::exr).bytes;
+    struct Case {
+        std::string attribute; ///< name and type, each with its zero
+        std::uint32_t shorter;
+    };
+    for (const Case& tried :
+         {Case{std::string("channels\0chlist\0", 16), 1}, Case{std::string("channels\0chlist\0", 16), 18},
+          Case{std::string("dataWindow\0box2i\0", 17), 4}, Case{std::string("lineOrder\0lineOrder\0", 20), 1}}) {
+        std::vector<std::uint8_t> exr = whole;
+        const auto found = std::search(exr.begin(), exr.end(), tried.attribute.begin(), tried.attribute.end());
+        ASSERT_NE(found, exr.end()) << tried.attribute;
+        *(found + static_cast<std::ptrdiff_t>(tried.attribute.size())) -= static_cast<std::uint8_t>(tried.shorter);
+        const std::string message = message_of(ErrorKind::bad_input, [&] { (void)decode_image(encoded(exr)); });
+        EXPECT_NE(message.find("its header announces"), std::string::npos) << message;
+    }
+    // Of types that hold lengths: a text and a preview of more than there is, each put before the first attribute.
+    for (const auto& [type, value] :
+         {std::pair<std::string, std::string>{"stringvector", std::string("\xFF\xFF\xFF\x7F", 4)},
+          {"preview", std::string("\0\x40\0\0\0\x40\0\0", 8)}}) {
+        std::string added = std::string("extra") + '\0' + type + '\0';
+        added += static_cast<char>(value.size());
+        added += std::string(3, '\0') + value;
+        std::vector<std::uint8_t> exr = whole;
+        exr.insert(exr.begin() + 8, added.begin(), added.end());
+        const std::string message = message_of(ErrorKind::bad_input, [&] { (void)decode_image(encoded(exr)); });
+        EXPECT_NE(message.find("its header announces"), std::string::npos) << message;
     }
 }
 
