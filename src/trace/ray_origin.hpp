@@ -12,8 +12,8 @@ namespace vkbake {
 // µm.
 
 /// Along the normal. The sample point may lie 4 · 2⁻²⁴ = 2⁻²² below its triangle's plane, rounding the origin takes up
-/// to √3 · 2⁻²⁵, and the triangle test sees a vertex at a distance of 2 wrong by some 4 · 2⁻²⁴ along the ray: together
-/// less than 2⁻²⁰·⁸. So a ray cannot meet the plane that it leaves, and little that stands on it is passed by.
+/// to √3 · 2⁻²⁵, and the triangle test is wrong by 8 · 2⁻²⁴ at most, at distances up to 1 (see PreparedRay): together
+/// less than 2⁻²⁰·³. So a ray cannot meet the plane that it leaves, and little that stands on it is passed by.
 inline constexpr double origin_off_surface = 0x1p-20;
 
 /// Away from the triangle's edges, for sample points nearer to one than this: a point clamped to the edge between a

@@ -1,4 +1,4 @@
-// What README shows is what is compiled and checked in.
+// What README and the pages beside it show is what is compiled and checked in.
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -49,6 +49,26 @@ TEST(Readme, EveryPathItNamesExists) {
             << (*match)[1];
     }
     EXPECT_GT(found, 5);
+}
+
+/// Names of several words without a blank are those of tests, but for people's and formats'; "…" stands for the rest of
+/// one.
+TEST(Numerics, EveryTestItNamesExists) {
+    std::string tests;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(VKBAKE_SOURCE_DIR "/tests")) {
+        if (entry.path().extension() == ".cpp") {
+            tests += contents(std::filesystem::relative(entry.path(), VKBAKE_SOURCE_DIR).string());
+        }
+    }
+    const std::string page = contents("docs/numerics.md");
+    const std::regex name("\\b(?:A[A-Z]|[A-Z])[a-z]+(?:[A-Z][a-z]+)+");
+    int found = 0;
+    for (std::sregex_iterator match(page.begin(), page.end(), name), end; match != end; ++match, ++found) {
+        const std::string text = match->str();
+        EXPECT_TRUE(tests.find(", " + text) != std::string::npos || tests.find('(' + text + ',') != std::string::npos)
+            << text;
+    }
+    EXPECT_GT(found, 15);
 }
 
 } // namespace
