@@ -98,7 +98,7 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
         for (std::size_t page = 0; page < pages; ++page) {
             colors.push_back(make_surface_colors(scene, bake.surface, draw(page), textures, bake.settings.alpha));
             lights.push_back(leaving(bake.light_maps[page].image, colors[page], true));
-            lights[page].emission = std::move(colors[page].emission); // which is sent once
+            lights[page].sought = std::move(colors[page].emission); // which is sent once
         }
         return 0;
     });
@@ -108,7 +108,7 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
         }
         const SurfaceLight light(bake.surface, bake.atlas, lights, sent.two_sided);
         const std::optional<EmitterSet> emitters = tracer.find_emitters(light);
-        if (emitters) {
+        if (emitters && bounce == 1) {
             bake.notes.push_back(scene.name + ": " + std::to_string(emitters->count()) +
                                  " triangles are far brighter than the rest; rays seek them");
         }
@@ -121,6 +121,9 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
             });
             add(gathered, bake.light_maps[page]);
             next.push_back(leaving(gathered.image, colors[page], false));
+            if (emitters) {
+                next[page].sought = next[page].radiance; // what small lamps light beside them is small and bright too
+            }
         }
         lights = std::move(next);
     }

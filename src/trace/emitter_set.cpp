@@ -28,7 +28,7 @@ glm::dvec3 cross_of(const Surface& surface, std::uint32_t triangle) {
     return glm::cross(b - a, c - a);
 }
 
-/// Mean emission, from the centres of 16 equal parts.
+/// Mean of what is sought, from the centres of 16 equal parts.
 double mean_luminance(const SurfaceLight& light, std::uint32_t triangle) {
     constexpr int rows = 4;
     double sum = 0.0;
@@ -39,7 +39,7 @@ double mean_luminance(const SurfaceLight& light, std::uint32_t triangle) {
             const double down = place % 2 == 0 ? row + 2.0 / 3.0 : row + 1.0 / 3.0;
             const double v = across / rows;
             const double w = (down - across) / rows;
-            sum += luminance(glm::dvec3(light.emission(triangle, {1.0 - v - w, v, w})));
+            sum += luminance(glm::dvec3(light.sought_at(triangle, {1.0 - v - w, v, w})));
         }
     }
     return sum / (rows * rows);
@@ -199,7 +199,7 @@ std::optional<EmitterSet::Sample> EmitterSet::sample(const Receiver& receiver, d
     return Sample{.point = weights.x * a + weights.y * b + weights.z * c,
                   .normal = normal(triangle),
                   .two_sided = m_light->shows_back(triangle),
-                  .radiance = m_light->emission(triangle, weights),
+                  .radiance = m_light->sought_at(triangle, weights),
                   .density = probability / area(triangle)};
 }
 

@@ -32,7 +32,8 @@ struct Receiver {
 /// has the right mean whatever the choice.
 class EmitterSet {
 public:
-    /// `light`: of which emission counts; it and the surface must outlive the set. `opacity`: null where all is opaque.
+    /// `light`: of which counts what may be sought; it and the surface must outlive the set. `opacity`: null where all
+    /// is opaque.
     EmitterSet(const Surface& surface, const SurfaceLight& light, const SurfaceOpacity* opacity);
 
     [[nodiscard]] bool empty() const { return m_nodes.empty(); }

@@ -36,12 +36,12 @@ glm::vec3 GatherTracer::arriving(std::size_t lane, const Ray& ray, const Hit& hi
     if (!m_emitters) {
         return light;
     }
-    const glm::vec3 emission = m_light->emission_along(ray, hit);
-    if (emission == glm::vec3(0.0F)) {
+    const glm::vec3 sought = m_light->sought_along(ray, hit);
+    if (sought == glm::vec3(0.0F)) {
         return light;
     }
     const auto left = static_cast<float>(m_emitters->weight(m_rays.lanes(), lane, ray, hit));
-    return (light - emission) + left * emission;
+    return (light - sought) + left * sought;
 }
 
 } // namespace vkbake

@@ -38,8 +38,8 @@ glm::vec3 light_at(const LeavingLight& page, const std::vector<glm::vec3>& light
 
 } // namespace
 
-bool SurfaceLight::emits() const {
-    return std::ranges::any_of(m_pages, [](const LeavingLight& page) { return !page.emission.empty(); });
+bool SurfaceLight::is_sought() const {
+    return std::ranges::any_of(m_pages, [](const LeavingLight& page) { return !page.sought.empty(); });
 }
 
 glm::vec3 SurfaceLight::look_up(std::uint32_t triangle, const glm::dvec3& weights,
@@ -59,12 +59,12 @@ glm::vec3 SurfaceLight::along(const Ray& ray, const Hit& hit) const {
                       : glm::vec3(0.0F);
 }
 
-glm::vec3 SurfaceLight::emission(std::uint32_t triangle, const glm::dvec3& weights) const {
-    return look_up(triangle, weights, &LeavingLight::emission);
+glm::vec3 SurfaceLight::sought_at(std::uint32_t triangle, const glm::dvec3& weights) const {
+    return look_up(triangle, weights, &LeavingLight::sought);
 }
 
-glm::vec3 SurfaceLight::emission_along(const Ray& ray, const Hit& hit) const {
-    return shows(hit) ? emission(hit.triangle, weights_at(*m_surface, ray, hit)) : glm::vec3(0.0F);
+glm::vec3 SurfaceLight::sought_along(const Ray& ray, const Hit& hit) const {
+    return shows(hit) ? sought_at(hit.triangle, weights_at(*m_surface, ray, hit)) : glm::vec3(0.0F);
 }
 
 } // namespace vkbake

@@ -18,7 +18,7 @@ struct LeavingLight {
     int width = 0;
     int height = 0;
     std::vector<glm::vec3> radiance;   ///< row-major
-    std::vector<glm::vec3> emission;   ///< what of `radiance` is emitted; empty where nothing is
+    std::vector<glm::vec3> sought;     ///< what of `radiance` rays may go and seek; empty where nothing is
     std::vector<std::uint8_t> covered; ///< 1 where the texel was baked
 };
 
@@ -42,11 +42,11 @@ public:
         return m_two_sided[m_surface->parts_of[triangle]] != 0;
     }
 
-    [[nodiscard]] bool emits() const;
-    /// What a point of a triangle emits, on sides that show; `weights`: barycentric.
-    [[nodiscard]] glm::vec3 emission(std::uint32_t triangle, const glm::dvec3& weights) const;
-    /// What of along() is emitted.
-    [[nodiscard]] glm::vec3 emission_along(const Ray& ray, const Hit& hit) const;
+    [[nodiscard]] bool is_sought() const;
+    /// LeavingLight::sought at a point of a triangle, on sides that show; `weights`: barycentric.
+    [[nodiscard]] glm::vec3 sought_at(std::uint32_t triangle, const glm::dvec3& weights) const;
+    /// What of along() is that.
+    [[nodiscard]] glm::vec3 sought_along(const Ray& ray, const Hit& hit) const;
 
 private:
     [[nodiscard]] glm::vec3 look_up(std::uint32_t triangle, const glm::dvec3& weights,

@@ -254,7 +254,7 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
 }
 
 std::optional<EmitterSet> Tracer::find_emitters(const SurfaceLight& light) const {
-    if (m_state->plan.settings().sampler != Sampler::cosine || !light.emits()) {
+    if (m_state->plan.settings().sampler != Sampler::cosine || !light.is_sought()) {
         return std::nullopt;
     }
     EmitterSet emitters(*m_state->surface, light, m_state->opacity);

@@ -73,7 +73,7 @@ public:
     [[nodiscard]] LightMap gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
                                   const EmitterSet* emitters = nullptr, const TraceProgress& progress = {}) const;
 
-    /// Of what `light` emits; absent where that needs no rays of its own.
+    /// Of what may be sought of `light`; absent where that needs no rays of its own.
     [[nodiscard]] std::optional<EmitterSet> find_emitters(const SurfaceLight& light) const;
 
     [[nodiscard]] TracedScene scene() const;

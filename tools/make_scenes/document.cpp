@@ -15,10 +15,20 @@ namespace vkbake::scenes {
 namespace {
 
 constexpr const char* lights_extension = "KHR_lights_punctual";
+constexpr const char* strength_extension = "KHR_materials_emissive_strength";
 constexpr const char* transmission_extension = "KHR_materials_transmission";
 
 std::string name_of(Texture texture) {
-    return texture == Texture::wood ? "wood" : (texture == Texture::grain ? "grain" : "sprig");
+    switch (texture) {
+    case Texture::wood:
+        return "wood";
+    case Texture::grain:
+        return "grain";
+    case Texture::cobble_normals:
+        return "cobble normals";
+    default:
+        return "sprig";
+    }
 }
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
@@ -106,7 +116,8 @@ std::size_t Document::add_indices(const Patch& patch) {
 std::size_t Document::texture(Texture kind) {
     const auto [found, is_new] = m_textures.try_emplace(kind, m_textures.size());
     if (is_new) {
-        const std::vector<std::byte> file = encode_png(make_texture(kind));
+        const std::vector<std::byte> file =
+            kind == Texture::cobble_normals ? encode_png(make_cobble_normals()) : encode_png(make_texture(kind));
         const std::size_t view = add_view(file.data(), file.size(), gltf::ViewTarget::none);
         m_json["images"].push_back({{"name", name_of(kind)}, {"bufferView", view}, {"mimeType", "image/png"}});
         m_json["textures"].push_back({{"sampler", 0}, {"source", found->second}});
@@ -133,6 +144,15 @@ std::size_t Document::material(Paint paint) {
             surface["baseColorTexture"] = {{"index", texture(info.texture)}};
         }
         Json material{{"name", info.name}, {"pbrMetallicRoughness", std::move(surface)}};
+        if (info.normals != Texture::none) {
+            material["normalTexture"] = {{"index", texture(info.normals)}};
+        }
+        if (info.emission != glm::dvec3(0.0)) {
+            const double strength = std::max({info.emission.x, info.emission.y, info.emission.z});
+            material["emissiveFactor"] = to_json(info.emission / strength);
+            material["extensions"][strength_extension] = {{"emissiveStrength", strength}};
+            use_extension(strength_extension);
+        }
         if (lets_light_through(info)) {
             material["doubleSided"] = true;
         }
@@ -180,6 +200,9 @@ std::size_t Document::add_node(const Node& node) {
     }
     if (node.light) {
         json["extensions"] = {{lights_extension, {{"light", *node.light}}}};
+    }
+    if (node.probe) {
+        json["extras"] = {{"vkbake", {{"probe", true}}}};
     }
     if (node.translation != glm::dvec3(0.0)) {
         json["translation"] = to_json(node.translation);

@@ -38,6 +38,7 @@ struct Node {
     std::optional<std::size_t> mesh;
     std::optional<std::size_t> camera;
     std::optional<std::size_t> light;
+    bool probe = false; ///< a light probe stands there
     glm::dvec3 translation{0.0};
     glm::dvec4 rotation{0.0, 0.0, 0.0, 1.0}; ///< unit quaternion x y z w
     glm::dvec3 scale{1.0};

@@ -64,12 +64,58 @@ File lamps_file() {
     return {"lamps.glb", document.to_glb()};
 }
 
+void add_probe(Document& document, const std::string& name, const glm::dvec3& at) {
+    Node node;
+    node.name = name;
+    node.probe = true;
+    node.translation = at;
+    document.add_node(node);
+}
+
+Model lantern() {
+    Model model{"lantern", {}};
+    model.add(cylinder(0.10, 0.04, 16, Paint::bronze));
+    model.add(moved(cylinder(0.03, 1.45, 12, Paint::bronze), {0.0, 0.04 + contact_gap, 0.0}));
+    model.add(moved(sphere(0.07, 16, 8, Paint::glow), {0.0, 1.62, 0.0}));
+    const Profile hat{{0.13, 1.71}, {0.02, 1.80}, {0.02, 1.79}, {0.125, 1.705}};
+    model.add(lathe(hat, 16, Paint::bronze, Ends::joined));
+    return model;
+}
+
+// A corner of a yard at night: what emits small and bright, what has a normal map, and light probes.
+File courtyard_file() {
+    Document document;
+    Stage stage(document);
+    const Cuts cuts{{-2.4, -2.3, 2.4}, {-0.1, 0.0, 1.9}, {-1.9, -1.8, 1.8}};
+    const auto filled = [](const glm::dvec3& p) { return p.x < -2.3 || p.y < 0.0 || p.z < -1.8; };
+    const auto paint = [](const glm::dvec3& p, const glm::dvec3& normal) {
+        return p.y < 0.01 && normal.y > 0.5 ? Paint::cobbles : Paint::cream_plaster;
+    };
+    Model yard{"yard", {}};
+    yard.add(blocks(cuts, filled, paint));
+    stage.place("yard", stage.mesh(yard), glm::dvec3(0.0));
+
+    const std::size_t lamp = stage.mesh(lantern());
+    stage.place("lantern in the corner", lamp, {-1.75, contact_gap, -1.25});
+    stage.place("lantern by the barrel", lamp, {1.35, contact_gap, -0.55});
+    stage.place("barrel", stage.mesh(make_barrel(24)), {0.55, contact_gap, -1.2}, 0.1);
+    stage.place("crate", stage.mesh(make_crate({0.5, 0.42, 0.42}, Paint::pine)), {-0.75, contact_gap, -1.35}, 0.04);
+    stage.place("jar", stage.mesh(make_jar(24, Paint::blue_enamel)), {-0.75, 0.42 + 2.0 * contact_gap, -1.35});
+
+    add_probe(document, "by the corner", {-1.5, 0.35, -0.3});
+    add_probe(document, "in the middle", {-0.2, 0.35, -0.1});
+    add_probe(document, "by the barrel", {1.2, 0.35, 0.3});
+    document.add_main_camera({0.6, 1.75, 3.6}, {-0.15, 0.55, -0.7}, 0.62);
+    return {"courtyard.glb", document.to_glb()};
+}
+
 } // namespace
 
 std::vector<File> make_light_files() {
     std::vector<File> files;
     files.push_back(lamps_file());
     files.push_back(make_pergola_file());
+    files.push_back(courtyard_file());
     return files;
 }
 

@@ -39,6 +39,8 @@ const PaintInfo& paint_info(Paint paint) {
         {"red glass", {0.86, 0.07, 0.05}, Texture::none, 1.0, 0.9},
         {"amber glass", {0.95, 0.58, 0.08}, Texture::none, 1.0, 0.9},
         {"blue glass", {0.06, 0.22, 0.80}, Texture::none, 1.0, 0.9},
+        {"cobbles", {0.50, 0.47, 0.43}, Texture::grain, 1.0, 0.0, Texture::cobble_normals},
+        {"glow", {0.80, 0.80, 0.80}, Texture::none, 1.0, 0.0, Texture::none, {60.0, 34.0, 14.0}},
     }};
     return table[static_cast<std::size_t>(paint)];
 }

@@ -42,10 +42,12 @@ enum class Paint {
     red_glass,
     amber_glass,
     blue_glass,
+    cobbles,
+    glow,
     count
 };
 
-enum class Texture { none, wood, grain, sprig };
+enum class Texture { none, wood, grain, sprig, cobble_normals };
 
 struct PaintInfo {
     std::string_view name;
@@ -53,6 +55,8 @@ struct PaintInfo {
     Texture texture = Texture::none;
     double alpha = 1.0;        ///< < 1: blended
     double transmission = 0.0; ///< > 0: glass
+    Texture normals = Texture::none;
+    glm::dvec3 emission{0.0}; ///< radiance
 };
 
 /// Whether light gets through; such surfaces are thin, and seen from both sides.

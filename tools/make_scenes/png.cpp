@@ -59,13 +59,34 @@ Bytes stored_zlib_stream(const Bytes& raw) {
     return stream;
 }
 
+/// `kind`: bits a channel, and PNG's number of the colours' kind.
+std::vector<std::byte> assemble(std::uint32_t side, const std::array<std::uint8_t, 2>& kind, const Bytes& palette,
+                                bool first_is_clear, const Bytes& rows) {
+    Bytes header;
+    append_big_endian(header, side);
+    append_big_endian(header, side);
+    header.insert(header.end(), {kind[0], kind[1], 0, 0, 0}); // no filter choice, no interlace
+    Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    append_chunk(file, "IHDR", header);
+    if (!palette.empty()) {
+        append_chunk(file, "PLTE", palette);
+    }
+    if (first_is_clear) {
+        append_chunk(file, "tRNS", {0});
+    }
+    append_chunk(file, "IDAT", stored_zlib_stream(rows));
+    append_chunk(file, "IEND", {});
+    std::vector<std::byte> result;
+    result.reserve(file.size());
+    for (const std::uint8_t byte : file) {
+        result.push_back(static_cast<std::byte>(byte));
+    }
+    return result;
+}
+
 } // namespace
 
 std::vector<std::byte> encode_png(const PaletteImage& image) {
-    Bytes header;
-    append_big_endian(header, image.side);
-    append_big_endian(header, image.side);
-    header.insert(header.end(), {4, 3, 0, 0, 0}); // 4 bits, palette, no filter choice, no interlace
     Bytes palette;
     for (const auto& colour : image.palette) {
         palette.insert(palette.end(), colour.begin(), colour.end());
@@ -78,20 +99,19 @@ std::vector<std::byte> encode_png(const PaletteImage& image) {
             rows.push_back(static_cast<std::uint8_t>(image.texels[at] << 4 | image.texels[at + 1]));
         }
     }
-    Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    append_chunk(file, "IHDR", header);
-    append_chunk(file, "PLTE", palette);
-    if (image.first_is_clear) {
-        append_chunk(file, "tRNS", {0});
+    return assemble(image.side, {4, 3}, palette, image.first_is_clear, rows);
+}
+
+std::vector<std::byte> encode_png(const ColorImage& image) {
+    Bytes rows;
+    for (std::size_t y = 0; y < image.side; ++y) {
+        rows.push_back(0);
+        for (std::size_t x = 0; x < image.side; ++x) {
+            const auto& texel = image.texels[y * image.side + x];
+            rows.insert(rows.end(), texel.begin(), texel.end());
+        }
     }
-    append_chunk(file, "IDAT", stored_zlib_stream(rows));
-    append_chunk(file, "IEND", {});
-    std::vector<std::byte> result;
-    result.reserve(file.size());
-    for (const std::uint8_t byte : file) {
-        result.push_back(static_cast<std::byte>(byte));
-    }
-    return result;
+    return assemble(image.side, {8, 2}, {}, false, rows);
 }
 
 } // namespace vkbake::scenes

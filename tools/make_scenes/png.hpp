@@ -1,4 +1,4 @@
-// PNG files of up to 16 colours, written the same way everywhere.
+// PNG files, written the same way everywhere.
 #pragma once
 
 #include <array>
@@ -18,5 +18,13 @@ struct PaletteImage {
 /// The image at 4 bits a texel, its deflate stream stored and not compressed: a compressor's choices are not ours to
 /// fix.
 [[nodiscard]] std::vector<std::byte> encode_png(const PaletteImage& image);
+
+struct ColorImage {
+    std::uint32_t side = 0;                          ///< texels
+    std::vector<std::array<std::uint8_t, 3>> texels; ///< side², row 0 on top
+};
+
+/// At 24 bits a texel, else the same.
+[[nodiscard]] std::vector<std::byte> encode_png(const ColorImage& image);
 
 } // namespace vkbake::scenes

@@ -140,4 +140,43 @@ PaletteImage make_texture(Texture texture) {
     return image;
 }
 
+ColorImage make_cobble_normals() {
+    constexpr std::int64_t cells = 8; // along each side, a cobble in each
+    // Height over the joints, in sides of the texture: a dome by how much farther the second nearest middle is.
+    const auto height_at = [](double u, double v) {
+        double nearest = 9.0;
+        double second = 9.0;
+        const auto column = static_cast<std::int64_t>(std::floor(u * cells));
+        const auto row = static_cast<std::int64_t>(std::floor(v * cells));
+        for (std::int64_t y = row - 2; y <= row + 2; ++y) {
+            for (std::int64_t x = column - 2; x <= column + 2; ++x) {
+                const auto number = static_cast<std::uint32_t>((x + cells) % cells + cells * ((y + cells) % cells));
+                const double away_u = (static_cast<double>(x) + 0.2 + 0.6 * random_of(number)) / cells - u;
+                const double away_v = (static_cast<double>(y) + 0.2 + 0.6 * random_of(number + 500)) / cells - v;
+                const double away = std::sqrt(away_u * away_u + away_v * away_v);
+                second = std::min(second, std::max(away, nearest));
+                nearest = std::min(nearest, away);
+            }
+        }
+        const double inside = std::min((second - nearest) * cells / 0.6, 1.0);
+        return 0.018 * std::sqrt(inside * (2.0 - inside) + 0.02);
+    };
+    ColorImage image{.side = side, .texels = {}};
+    constexpr double step = 1.0 / side;
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const double u = (x + 0.5) * step;
+            const double v = (y + 0.5) * step;
+            const double along_u = (height_at(u + step, v) - height_at(u - step, v)) / (2.0 * step);
+            const double along_v = (height_at(u, v + step) - height_at(u, v - step)) / (2.0 * step);
+            const double length = std::sqrt(along_u * along_u + along_v * along_v + 1.0);
+            const auto byte = [&](double part) {
+                return static_cast<std::uint8_t>(std::lround(127.5 + 127.5 * part / length));
+            };
+            image.texels.push_back({byte(-along_u), byte(along_v), byte(1.0)}); // green is up, v is down
+        }
+    }
+    return image;
+}
+
 } // namespace vkbake::scenes

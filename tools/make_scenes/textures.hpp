@@ -9,8 +9,12 @@
 namespace vkbake::scenes {
 
 /// `wood` has its fibres along v; `grain` is a fine speckle for plaster, stone and earth; `sprig` is a twig with
-/// leaves, from the bottom up, and clear around them. Not for Texture::none.
+/// leaves, from the bottom up, and clear around them. Not for Texture::none
+/// and normals.
 [[nodiscard]] PaletteImage make_texture(Texture texture);
+
+/// A normal map (glTF's) of round cobbles, 64 of them, that tiles.
+[[nodiscard]] ColorImage make_cobble_normals();
 
 /// Metres of surface that one repetition of a texture covers.
 inline constexpr double texture_metres = 1.0;

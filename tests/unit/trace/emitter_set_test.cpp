@@ -33,7 +33,7 @@ struct Glow {
             const std::uint32_t instance = surface.objects[surface.parts[surface.parts_of[triangle]].object].instance;
             LeavingLight& page = pages[atlas.page[triangle]];
             page = {.width = 1, .height = 1, .covered = {1}};
-            page.radiance = page.emission = {glm::vec3(instance == 0 ? 0.0F : 1.0F + static_cast<float>(instance))};
+            page.radiance = page.sought = {glm::vec3(instance == 0 ? 0.0F : 1.0F + static_cast<float>(instance))};
         }
         two_sided.assign(surface.parts.size(), 0);
     }
@@ -86,7 +86,7 @@ TEST(EmitterSet, SamplesComeAsOftenAsTheirDensitySays) {
 TEST(EmitterSet, HasNothingOfARoomThatGlowsAllOver) {
     Glow glow;
     for (LeavingLight& page : glow.pages) {
-        page.radiance = page.emission = {glm::vec3(2.0F)};
+        page.radiance = page.sought = {glm::vec3(2.0F)};
     }
     const SurfaceLight light(glow.surface, glow.atlas, glow.pages, glow.two_sided);
     EXPECT_TRUE(EmitterSet(glow.surface, light, nullptr).empty());
