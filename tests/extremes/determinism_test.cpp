@@ -76,7 +76,7 @@ TEST(Determinism, TheLargerScenesGiveOneSetOfBytesEach) {
         const Surface surface = make_surface(scene);
         std::vector<SamplePoint> points;
         const auto triangles = static_cast<std::uint32_t>(surface.triangle_count());
-        for (std::uint32_t triangle = 0; triangle < triangles; triangle += triangles / 256 + 1) {
+        for (std::uint32_t triangle = 0; triangle < triangles; triangle += triangles / amount(256U, 32U) + 1) {
             points.push_back(point_on(surface, triangle, glm::dvec3(1.0 / 3.0)));
         }
         const GeometryImage texels = geometry_image(points, 64);
