@@ -18,6 +18,7 @@
 #include "imageio/decode.hpp"
 #include "preview/camera.hpp"
 #include "preview/preview.hpp"
+#include "probe_balls.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/sky_sum.hpp"
 #include "vkbake/error.hpp"
@@ -131,12 +132,18 @@ void draw_checker(Image& light_map) {
     }
 }
 
-Image draw(const Scene& baked, const Sky& sky, const RenderSettings& settings, const Device& device) {
+Image draw(const Scene& scene, const Sky& sky, const RenderSettings& settings, const Device& device) {
     const bool light_only = settings.light_only || settings.checker;
-    PreviewImages images = decode(baked, light_only);
+    PreviewImages images = decode(scene, light_only);
     if (settings.checker) {
         std::ranges::for_each(images.light_maps, draw_checker);
     }
+    Scene with_probes;
+    if (settings.probes) {
+        with_probes = scene;
+        add_probe_balls(read_probes(std::filesystem::path(scene.directory) / "probes.json"), with_probes, images);
+    }
+    const Scene& baked = settings.probes ? with_probes : scene;
     const double aspect = static_cast<double>(std::max(settings.width, 1)) / std::max(settings.height, 1);
     const Camera camera = settings.view ? *settings.view : choose_camera(baked, settings.camera, aspect);
     PreviewSky radiance;

@@ -18,6 +18,7 @@ struct RenderSettings {
     std::optional<Camera> view; ///< stands above `camera` where set
     bool light_only = false;    ///< the light maps on grey surfaces
     bool checker = false; ///< in place of light, a checker of the light maps' texels, 4 × 4 a square, on grey surfaces
+    bool probes = false;  ///< light probes as white balls; the scene needs a probes.json beside it
     double exposure = 0.0; ///< stops, on top of the metered exposure
     bool show_sky = true;  ///< behind the scene; black otherwise
 };

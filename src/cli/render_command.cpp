@@ -118,6 +118,7 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
         ->capture_default_str();
     command.add_flag("--light-only", options->settings.light_only, "The light maps on grey surfaces");
     command.add_flag("--checker", options->settings.checker, "A checker of the light maps' texels instead of light");
+    command.add_flag("--probes", options->settings.probes, "Light probes as white balls");
     command.add_option("--exposure", options->settings.exposure, "Stops")->capture_default_str();
     command.add_option("--device", options->device, "Part of the Vulkan device's name")->type_name("NAME");
     command.final_callback([options, &invocation] { invocation.run = [options] { return run_render(*options); }; });

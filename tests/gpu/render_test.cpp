@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -187,6 +188,30 @@ TEST(Render, RefusesScenesWithoutLightMapsAndUnknownCameras) {
     vkbake::RenderSettings settings = small();
     settings.camera = "roof";
     expect_refused(scene, settings, {"wall", "roof", "front"});
+}
+
+TEST(Render, ShowsLightProbesAsBallsInTheirLight) {
+    Scene scene = wall();
+    scene.images.push_back(png(map_of(glm::vec3(1.0F))));
+    scene.materials[0].light_map = vkbake::LightMapUse{.texture = {.tex_coord = 1}};
+    scene.directory = testing::TempDir();
+    const auto with_probe = [&](const std::string& light) {
+        std::ofstream file(std::filesystem::path(scene.directory) / "probes.json");
+        file << R"({"probes": [{"position": [0, 0, -0.2], "coefficients": [)" << light;
+        for (int i = 1; i < 9; ++i) {
+            file << ", [0, 0, 0]";
+        }
+        file << "]}]}";
+        file.close();
+        vkbake::RenderSettings settings = small();
+        settings.probes = true;
+        return middle_of(scene, settings);
+    };
+    EXPECT_GT(middle_of(scene).g, 0.3F);
+    EXPECT_EQ(glm::vec3(with_probe("[0, 0, 0]")), glm::vec3(0.0F));
+    const glm::vec4 red = with_probe("[1, 0, 0]"); // so E / π is 0.28, 0, 0
+    EXPECT_GT(red.r, 0.2F);
+    EXPECT_LT(red.g, 0.1F);
 }
 
 } // namespace
