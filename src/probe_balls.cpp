@@ -1,5 +1,6 @@
 #include "probe_balls.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>

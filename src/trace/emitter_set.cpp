@@ -35,7 +35,7 @@ double mean_luminance(const SurfaceLight& light, std::uint32_t triangle) {
     for (int row = 0; row < rows; ++row) {
         for (int place = 0; place <= 2 * row; ++place) {
             // In a row, triangles that point up and down by turns.
-            const double across = place % 2 == 0 ? place / 2 + 1.0 / 3.0 : place / 2 + 2.0 / 3.0;
+            const double across = std::floor(0.5 * place) + (place % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0);
             const double down = place % 2 == 0 ? row + 2.0 / 3.0 : row + 1.0 / 3.0;
             const double v = across / rows;
             const double w = (down - across) / rows;
