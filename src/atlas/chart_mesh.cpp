@@ -40,6 +40,21 @@ private:
     std::vector<std::uint32_t> m_slots;
 };
 
+/// `at`: the surface's corner of a corner of the mesh.
+template<typename At>
+bool is_crease(const ChartMesh& mesh, const Surface& surface, std::uint32_t side, const At& at) {
+    const std::uint32_t beyond = mesh.across[side];
+    if (beyond == ChartMesh::none) {
+        return false;
+    }
+    const auto apart = [&](std::uint32_t a, std::uint32_t b) {
+        return glm::dot(surface.normals[at(a)], surface.normals[at(b)]) < static_cast<float>(crease_cosine);
+    };
+    return surface.parts_of[at(side) / 3] != surface.parts_of[at(beyond) / 3] ||
+           (glm::dot(mesh.normals[side / 3], mesh.normals[beyond / 3]) < crease_cosine &&
+            (apart(side, next_corner(beyond)) || apart(next_corner(side), beyond)));
+}
+
 glm::dvec3 unit_normal(const ChartMesh& mesh, std::uint32_t triangle) {
     const glm::dvec3 a = mesh.corner(3 * triangle);
     const glm::dvec3 normal = glm::cross(mesh.corner(3 * triangle + 1) - a, mesh.corner(3 * triangle + 2) - a);
@@ -125,12 +140,15 @@ ChartMesh make_chart_mesh(const Surface& surface, std::span<const std::uint32_t>
         for (std::size_t c = 0; c < 3; ++c) {
             mesh.vertices.push_back(table.number(surface.positions[3 * std::size_t{triangle} + c], mesh.points));
         }
-        mesh.parts.push_back(surface.parts_of[triangle]);
     }
     for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
         mesh.normals.push_back(unit_normal(mesh, triangle));
     }
     find_sides_across(mesh);
+    const auto at = [&](std::uint32_t place) { return 3 * std::size_t{triangles[place / 3]} + place % 3; };
+    for (std::uint32_t side = 0; side < mesh.across.size(); ++side) {
+        mesh.creases.push_back(is_crease(mesh, surface, side, at));
+    }
     return mesh;
 }
 

@@ -23,7 +23,7 @@ struct ChartMesh {
     std::vector<glm::vec3> points;       ///< 1 a vertex, bake frame
     std::vector<glm::dvec3> normals;     ///< 1 a triangle, unit; 0 where it has no area
     std::vector<std::uint32_t> across;   ///< 3 a triangle: the side of the triangle that goes on beyond, or `none`
-    std::vector<std::uint32_t> parts;    ///< 1 a triangle: which SurfacePart it is of (materials change there)
+    std::vector<bool> creases;           ///< 1 a side: whether light may change abruptly there, see make_chart_mesh
 
     [[nodiscard]] std::size_t triangle_count() const { return normals.size(); }
     [[nodiscard]] glm::dvec3 corner(std::uint32_t place) const { return glm::dvec3(points[vertices[place]]); }
@@ -34,8 +34,13 @@ struct ChartMesh {
 }
 [[nodiscard]] constexpr std::uint32_t last_corner(std::uint32_t place) { return next_corner(next_corner(place)); }
 
+/// Normals whose cosine is less are apart: about 26°.
+constexpr double crease_cosine = 0.9;
+
 /// Sides lie across from each other where they join the same vertices in opposite senses. Where more than two triangles
 /// meet at an edge the flattest pairs go together; a triangle without area lies across from nothing.
+/// A side is a crease where parts meet (materials change there), or where both the triangles and, at one of its ends,
+/// their shading normals are apart: what is shaded smoothly gets light that changes smoothly.
 [[nodiscard]] ChartMesh make_chart_mesh(const Surface& surface, std::span<const std::uint32_t> triangles);
 
 /// A triangle laid down in the plane, counter-clockwise: its first corner at the origin, the second at (x1, 0), the

@@ -78,15 +78,12 @@ private:
                                      .energy();
         for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
             const std::uint32_t beyond = m_mesh.across[side];
-            if (beyond == ChartMesh::none || m_all.patch_of[beyond / 3] != ChartMesh::none ||
-                m_mesh.parts[beyond / 3] != m_mesh.parts[triangle]) {
+            if (beyond == ChartMesh::none || m_all.patch_of[beyond / 3] != ChartMesh::none || m_mesh.creases[side]) {
                 continue;
             }
             const double flatness = glm::dot(m_mesh.normals[triangle], m_mesh.normals[beyond / 3]);
-            if (flatness >= crease_cosine) {
-                const glm::dvec2 way = 0.5 * (m_all.places[side] + m_all.places[next_corner(side)]) - m_begin;
-                m_open.push({flatness < coplanar_cosine, glm::dot(way, way), beyond});
-            }
+            const glm::dvec2 way = 0.5 * (m_all.places[side] + m_all.places[next_corner(side)]) - m_begin;
+            m_open.push({flatness < coplanar_cosine, glm::dot(way, way), beyond});
         }
     }
 
@@ -98,7 +95,7 @@ private:
         double count = 1.0;
         for (const std::uint32_t own : {next_corner(side), last_corner(side)}) {
             const std::uint32_t beyond = m_mesh.across[own];
-            if (beyond == ChartMesh::none) {
+            if (beyond == ChartMesh::none || m_mesh.creases[own]) {
                 continue;
             }
             // The side of that neighbour which does not touch the corner.
@@ -108,8 +105,7 @@ private:
             }
             const auto a = m_places.find(m_mesh.vertices[base]);
             const auto b = m_places.find(m_mesh.vertices[next_corner(base)]);
-            if (a != m_places.end() && b != m_places.end() && m_mesh.parts[base / 3] == m_mesh.parts[side / 3] &&
-                a->second != b->second) {
+            if (a != m_places.end() && b != m_places.end() && a->second != b->second) {
                 sum += third_place(lay_down(m_mesh, base), a->second, b->second);
                 count += 1.0;
             }
@@ -161,12 +157,6 @@ private:
 };
 
 } // namespace
-
-bool is_crease(const ChartMesh& mesh, std::uint32_t side) {
-    const std::uint32_t beyond = mesh.across[side];
-    return glm::dot(mesh.normals[side / 3], mesh.normals[beyond / 3]) < crease_cosine ||
-           mesh.parts[side / 3] != mesh.parts[beyond / 3];
-}
 
 std::vector<Patch> grow_patches(Patches& patches, const std::vector<std::uint32_t>& component,
                                 const PatchLimits& limits) {

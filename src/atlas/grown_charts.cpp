@@ -92,6 +92,7 @@ public:
         m_limits.mean_energy = 2.0 * (limits.stretch - 1.0);
         m_limits.triangle_energy = 25.0 * m_limits.mean_energy;
         m_limits.free_length = limits.free_length;
+        m_limits.free_area = limits.free_area;
     }
 
     Pieces run() {

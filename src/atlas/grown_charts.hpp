@@ -15,10 +15,11 @@ namespace vkbake {
 struct GrowthLimits {
     double stretch = 1.01;    ///< L2 stretch of a chart, > 1
     double free_length = 0.0; ///< bake-frame units: up to this size a chart may have any shape
+    double free_area = 0.0;   ///< their square: up to this area a face may be joined to another across a crease
 };
 
 /// Charts of the triangles that hang together by edges (corners of equal bake-frame position are one): flat pieces and
-/// smooth ones, joined as far as the stretch allows; none goes across a crease for most of a joint. Exactly no two
+/// smooth ones, joined as far as the stretch allows; across a crease only what is small. Exactly no two
 /// triangles of a chart overlap in `flat`, none is mirrored (fronts turn clockwise in (u, v), v down), and each
 /// chart lies so that most of its outline is parallel to the axes. Triangles without area are folded onto a corner of a
 /// neighbour. `triangles`: those of one object, in canonical order. Writes `flat` for them. Charts come in the order of

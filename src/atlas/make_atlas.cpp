@@ -89,18 +89,19 @@ public:
     AtlasMaker(const Scene& scene, const Surface& surface, const Settings& settings)
         : m_scene(scene), m_surface(surface), m_settings(settings), m_flat(surface.positions.size()),
           m_rank(surface.triangle_count()), m_objects(surface.objects.size()) {
-        double area = 0.0;
-        for (std::uint32_t triangle = 0; triangle < surface.triangle_count(); ++triangle) {
-            area += surface_area(surface, triangle);
-        }
-        m_free_length = 0.1 * std::sqrt(area);
         m_atlas.uvs.resize(surface.positions.size());
         m_atlas.page.resize(surface.triangle_count(), 0);
         m_atlas.chart.resize(surface.triangle_count(), no_chart);
         for (std::uint32_t rank = 0; rank < surface.canonical_order.size(); ++rank) {
             const std::uint32_t triangle = surface.canonical_order[rank];
             m_rank[triangle] = rank;
-            m_objects[surface.parts[surface.parts_of[triangle]].object].triangles.push_back(triangle);
+            Object& object = m_objects[surface.parts[surface.parts_of[triangle]].object];
+            object.triangles.push_back(triangle);
+            object.area += surface_area(surface, triangle);
+        }
+        for (std::uint32_t index = 0; index < m_objects.size(); ++index) {
+            m_area += m_objects[index].area;
+            m_wanted_area += m_objects[index].area * std::pow(wanted_density(index), 2.0);
         }
     }
 
@@ -124,6 +125,7 @@ private:
     struct Object {
         std::vector<std::uint32_t> triangles; ///< in canonical order
         std::vector<Chart> charts;            ///< those made; or one, what the object's kept UVs cover
+        double area = 0.0;                    ///< in bake-frame units
         bool kept = false;
     };
 
@@ -143,10 +145,9 @@ private:
             m_notes.add(fault ? "light-map UVs made, as TEXCOORD_1 " + *fault : "TEXCOORD_1 kept" + but, name);
         }
         if (!object.kept) {
-            object.charts =
-                m_settings.charts == ChartMaker::grown
-                    ? make_grown_charts(m_surface, object.triangles, {m_settings.stretch, m_free_length}, m_flat)
-                    : make_polypacks(m_surface, object.triangles, m_flat);
+            object.charts = m_settings.charts == ChartMaker::grown
+                                ? make_grown_charts(m_surface, object.triangles, growth_limits(index), m_flat)
+                                : make_polypacks(m_surface, object.triangles, m_flat);
             for (Chart& chart : object.charts) {
                 chart.scale *= wanted_density(index);
                 name_chart(chart.triangles);
@@ -165,6 +166,19 @@ private:
         }
         // Without UV area there is no surface either (else the UVs would not do): a texel is enough.
         object.charts.front().scale = uv_area > 0.0 ? std::sqrt(area / uv_area) * wanted_density(index) : 0.0;
+    }
+
+    [[nodiscard]] GrowthLimits growth_limits(std::uint32_t index) const {
+        constexpr double used = 0.5;          // of a page, about
+        constexpr double free_texels = 100.0; // on a face so small the gutter would take about as many
+        const double wanted = wanted_density(index);
+        // Bake-frame units' squares a texel.
+        const double texel_area = m_settings.density
+                                      ? std::pow(m_surface.frame.scale() / (*m_settings.density * wanted), 2.0)
+                                  : m_settings.layout == Layout::object
+                                      ? m_objects[index].area / (used * m_settings.size * m_settings.size)
+                                      : m_wanted_area / (wanted * wanted * used * m_settings.size * m_settings.size);
+        return {m_settings.stretch, 0.1 * std::sqrt(m_area), free_texels * texel_area};
     }
 
     /// Reads the object's UVs into m_flat. Instances of one mesh share the answer.
@@ -352,7 +366,8 @@ private:
     const Scene& m_scene;
     const Surface& m_surface;
     const Settings& m_settings;
-    double m_free_length = 0.0;
+    double m_area = 0.0;               ///< of the surface, in bake-frame units
+    double m_wanted_area = 0.0;        ///< by the squares of the densities that objects want
     std::vector<glm::vec2> m_flat;     ///< 3 a triangle: see Chart
     std::vector<std::uint32_t> m_rank; ///< by triangle: its place in canonical order
     std::vector<Object> m_objects;

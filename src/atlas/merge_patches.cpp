@@ -82,6 +82,12 @@ private:
         return glm::length(m_mesh.corner(next_corner(side)) - m_mesh.corner(side));
     }
 
+    /// Whether the triangles are not bent where this side meets the one across, however they are shaded.
+    [[nodiscard]] bool is_flat(std::uint32_t side) const {
+        const std::uint32_t beyond = m_mesh.across[side];
+        return !m_mesh.creases[side] && glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]) >= crease_cosine;
+    }
+
     [[nodiscard]] PlaneTriangle laid(std::uint32_t triangle) const {
         return {m_all.places[3 * triangle], m_all.places[3 * triangle + 1], m_all.places[3 * triangle + 2]};
     }
@@ -112,7 +118,7 @@ private:
                 if (beyond != ChartMesh::none && m_all.patch_of[beyond / 3] != name) {
                     Joint& joint = own.joints[m_all.patch_of[beyond / 3]];
                     joint.length += length;
-                    joint.flat_length += is_crease(m_mesh, side) ? 0.0 : length;
+                    joint.flat_length += m_mesh.creases[side] ? 0.0 : length;
                 }
             }
         }
@@ -132,9 +138,10 @@ private:
             std::swap(a, b);
         }
         // Light changes abruptly across a crease: in one chart the faces' texels would be mixed along it, and be seen
-        // as a bright line in a dark corner.
+        // as a bright line in a dark corner. Of a small face the gutter would take more texels than the mixing.
         const Joint& joint = m_own[a].joints.at(b);
-        if (joint.flat_length <= 0.5 * joint.length) {
+        if (joint.flat_length <= 0.5 * joint.length &&
+            std::min(m_pieces[a].area, m_pieces[b].area) > m_limits.free_area) {
             return;
         }
         std::vector<std::uint32_t> common; // sides of b
@@ -236,8 +243,8 @@ private:
                 met[i] = true;
                 weld_corner(side, next_corner(beyond));
                 weld_corner(next_corner(side), beyond);
-            } else if (i != hinge && !is_crease(m_mesh, side) && std::min(begin, end) < length_of(side)) {
-                return false; // a slit in a smooth surface would open or overlap; far apart it is a cut
+            } else if (i != hinge && is_flat(side) && std::min(begin, end) < length_of(side)) {
+                return false; // a slit in a flat surface would open or overlap; far apart it is a cut
             }
         }
         met[hinge] = true;

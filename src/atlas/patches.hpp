@@ -10,9 +10,6 @@
 
 namespace vkbake {
 
-/// Neighbours whose normals' cosine is less meet in a crease: about 26°.
-constexpr double crease_cosine = 0.9;
-
 /// Connected triangles. Where two of them lie across from each other and their corners lie in the same places, they
 /// hang together there.
 struct Patch {
@@ -34,25 +31,23 @@ struct Patches {
     std::vector<std::uint32_t> local;    ///< 1 a triangle: to note numbers down in
 };
 
-/// Whether the surface is bent where this side meets the one across (there is one), or parts meet there.
-[[nodiscard]] bool is_crease(const ChartMesh& mesh, std::uint32_t side);
-
 /// What a patch may become while it grows or is merged.
 struct PatchLimits {
     double mean_energy = 0.0;     ///< of Distortion::energy(), over the area
     double triangle_energy = 0.0; ///< of any triangle
     double free_length = 0.0;     ///< up to this side of their box patches may be joined to any shape
+    double free_area = 0.0;       ///< a patch of up to so much may be joined to another across a crease
 };
 
 /// Grows patches over a component (triangles that hang together by sides, ascending) until each triangle with area has
-/// one, never across a crease or from one part to another. A patch grows by the triangle that is nearest to where it
+/// one, never across a crease. A patch grows by the triangle that is nearest to where it
 /// began, in its own plane, coplanar ones first; each new corner goes where the triangles around it would have it.
 [[nodiscard]] std::vector<Patch> grow_patches(Patches& patches, const std::vector<std::uint32_t>& component,
                                               const PatchLimits& limits);
 
-/// Joins patches that are neighbours on the surface, those first that share most of their outlines, but not across
-/// creases: one is moved rigidly until their common sides meet. Where that would make patches overlap they stay apart.
-/// Where they do not fit rigidly, both are sewn together and relaxed as one, if they stay within the limits.
+/// Joins patches that are neighbours on the surface, those first that share most of their outlines, across creases only
+/// small ones: one is moved rigidly until their common sides meet. Where that would make patches overlap they stay
+/// apart. Where they do not fit rigidly, both are sewn together and relaxed as one, if they stay within the limits.
 void merge_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits);
 
 } // namespace vkbake

@@ -72,7 +72,7 @@ private:
                 const bool hangs = m_patches.patch_of[beyond / 3] == name
                                        ? m_patches.places[side] == m_patches.places[next_corner(beyond)] &&
                                              m_patches.places[next_corner(side)] == m_patches.places[beyond]
-                                       : !is_crease(m_mesh, side);
+                                       : !m_mesh.creases[side];
                 if (hangs) {
                     visit(3 * local + side % 3, 3 * other + next_corner(beyond) % 3, 3 * local + next_corner(side) % 3,
                           3 * other + beyond % 3);

@@ -61,16 +61,42 @@ Scene sphere(int n) {
     return scene;
 }
 
-// However small: its faces get different light, which would run into each other along the edges that they share.
-TEST(GrownCharts, a_box_is_cut_along_its_edges) {
+/// A box on a large ground, which decides how many texels a metre there are.
+Scene box_on_ground() {
     Scene scene = empty_scene();
     Primitive& primitive = scene.meshes[0].primitives[0];
     add_box(primitive, {0.0F, 1.0F, 0.0F}, {1.0F, 2.0F, 1.5F});
     add_quad(primitive, {-50, 0, 50}, {50, 0, 50}, {50, 0, -50}, {-50, 0, -50});
-    const Atlas atlas = expect_good_atlas(scene, grown(1024));
+    return scene;
+}
+
+// Its faces get different light, which would run into each other along the edges that they share.
+TEST(GrownCharts, a_box_is_cut_along_its_edges) {
+    const Scene scene = box_on_ground();
+    const Atlas atlas = expect_good_atlas(scene, grown(2048));
     EXPECT_EQ(atlas.chart_count, 7U);
     const Surface surface = make_surface(scene);
     EXPECT_NEAR(figures_of(surface, atlas).stretch, 1.0, 1e-3);
+}
+
+// Around faces of a few texels gutters would take more room than they do.
+TEST(GrownCharts, a_box_of_few_texels_is_one_chart) {
+    const Atlas atlas = expect_good_atlas(box_on_ground(), grown(256));
+    EXPECT_EQ(atlas.chart_count, 2U);
+}
+
+// Light that falls on what is shaded smoothly changes smoothly, whatever the triangles do.
+TEST(GrownCharts, a_roof_is_cut_along_its_ridge_unless_it_is_shaded_smoothly) {
+    for (const bool smooth : {false, true}) {
+        Scene scene = empty_scene();
+        Primitive& primitive = scene.meshes[0].primitives[0];
+        add_quad(primitive, {0, 0, 1}, {3, 0, 1}, {3, 1, 0}, {0, 1, 0});
+        add_quad(primitive, {0, 1, 0}, {3, 1, 0}, {3, 0, -1}, {0, 0, -1});
+        if (smooth) {
+            primitive.normals.assign(primitive.positions.size(), {0.0F, 1.0F, 0.0F});
+        }
+        EXPECT_EQ(expect_good_atlas(scene, grown(256)).chart_count, smooth ? 1U : 2U);
+    }
 }
 
 // A wall is a face of its own, whatever triangles it has.
