@@ -10,7 +10,8 @@ namespace vkbake {
 
 namespace {
 
-constexpr double full = 0.85; // of a page: what an average atlas takes
+constexpr double full = 0.85;                      // of a page: what an average atlas takes
+constexpr int greatest_height = 2 * greatest_side; // while it is looked for
 
 /// Halves the interval of the logarithm (deterministic: the root is correctly rounded) between what fits and what does
 /// not.
@@ -41,10 +42,10 @@ double ChartPacker::foretold_area(double density, int gutter) const {
 }
 
 std::optional<Packing> ChartPacker::at(double density, const PageSettings& settings) const {
-    if (!(m_longest * density < settings.side + 1.0)) {
+    if (!(m_longest * density < std::max(settings.width, settings.height) + 1.0)) {
         return std::nullopt;
     }
-    Packing packing{.density = density, .side = settings.side};
+    Packing packing{.density = density, .width = settings.width};
     packing.layouts.resize(m_charts.size());
     std::vector<ChartShape> shapes(m_charts.size());
     parallel_ranges(m_charts.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
@@ -58,8 +59,19 @@ std::optional<Packing> ChartPacker::at(double density, const PageSettings& setti
         return std::nullopt;
     }
     packing.placements = std::move(*placements);
-    for (const Placement& placement : packing.placements) {
+    for (std::size_t i = 0; i < packing.placements.size(); ++i) {
+        const Placement& placement = packing.placements[i];
         packing.page_count = std::max(packing.page_count, placement.page + 1);
+        packing.height =
+            std::max(packing.height, placement.y + (placement.turns % 2 == 1 ? shapes[i].width : shapes[i].height));
+    }
+    return packing;
+}
+
+std::optional<Packing> ChartPacker::on_pages(double density, const PageSettings& settings) const {
+    auto packing = at(density, settings);
+    if (packing) {
+        packing->height = settings.height;
     }
     return packing;
 }
@@ -67,89 +79,75 @@ std::optional<Packing> ChartPacker::at(double density, const PageSettings& setti
 std::optional<Packing> ChartPacker::densest(const PageSettings& settings) const {
     // At the least density every chart has one texel.
     const double least = m_longest > 0.0 ? 0.5 / m_longest : 1.0;
-    auto best = at(least, settings);
+    auto best = on_pages(least, settings);
     if (!best || !(m_longest > 0.0)) {
         return best;
     }
+    // How high the charts would stand says how much too dense they are, so the density is soon found: the area that
+    // they take grows with its square.
+    const double room = static_cast<double>(settings.height) * best->page_count;
     PageSettings pages = settings;
     pages.max_pages = static_cast<int>(best->page_count);
+    const bool one_page = pages.max_pages == 1;
+    if (one_page) {
+        pages.height = std::min(2 * settings.height, greatest_height);
+    }
     double low = least;
-    double high = 2.0 * settings.side / m_longest; // the longest chart does not fit
-    const auto try_at = [&](double density) {
-        if (auto packing = at(density, pages)) {
-            best = std::move(packing);
-            low = density;
-            return true;
-        }
-        high = density;
-        return false;
-    };
-    // The density at which the area foretold is the pages': the positive root.
-    const double room = static_cast<double>(settings.side) * settings.side * pages.max_pages;
-    double guess_low = low;
-    double guess_high = high;
-    for (int step = 0; step < 40; ++step) {
-        const double middle = middle_of(guess_low, guess_high);
-        (foretold_area(middle, settings.gutter) <= room ? guess_low : guess_high) = middle;
-    }
-    constexpr double stride = 1.08;
-    if (guess_low > low && guess_low < high) {
-        double next = guess_low;
-        if (try_at(next)) {
-            while ((next *= stride) < high && try_at(next)) {
-            }
-        } else {
-            while ((next /= stride) > low && !try_at(next)) {
-            }
-        }
-    }
-    const double enough = m_charts.size() <= 64 ? 1.0 + 0x1p-12 : m_charts.size() <= 1024 ? 1.006 : 1.012;
+    double high = 2.0 * std::max(settings.width, settings.height) / m_longest; // the longest chart does not fit
+    const double enough = m_charts.size() <= 16 ? 1.0 + 0x1p-12 : m_charts.size() <= 1024 ? 1.006 : 1.012;
+    double next = density_for(room * settings.width, settings.gutter, low, high);
     while (high > low * enough) {
-        (void)try_at(middle_of(low, high));
+        auto packing = at(next, pages);
+        const bool fits = packing && packing->height <= settings.height;
+        (fits ? low : high) = next;
+        const double rows = !packing ? 1.5 * room : one_page ? packing->height : fits ? 0.95 * room : 1.05 * room;
+        // Aimed a little beyond, so that the interval closes from both sides.
+        const double aim =
+            next * std::sqrt(room / rows) * std::sqrt(fits ? std::sqrt(enough) : 1.0 / std::sqrt(enough));
+        if (fits) {
+            packing->height = settings.height;
+            best = std::move(packing);
+        }
+        next = aim > low && aim < high ? aim : middle_of(low, high);
     }
     return best;
 }
 
+double ChartPacker::density_for(double area, int gutter, double low, double high) const {
+    for (int step = 0; step < 40; ++step) {
+        const double middle = middle_of(low, high);
+        (foretold_area(middle, gutter) <= area ? low : high) = middle;
+    }
+    return low;
+}
+
 std::optional<Packing> ChartPacker::least_page(double density, int gutter) const {
-    std::optional<Packing> best;
-    const int least = static_cast<int>(std::clamp(std::floor(m_longest * density), 1.0, double{greatest_side}));
-    int low = least - 1; // does not fit
-    int high = greatest_side + 1;
-    const auto try_at = [&](int side) {
-        if (auto packing = at(density, {side, gutter, 1})) {
-            best = std::move(packing);
-            high = side;
-            return true;
-        }
-        low = side;
-        return false;
-    };
-    int next = static_cast<int>(
-        std::clamp(std::sqrt(foretold_area(density, gutter)), static_cast<double>(least), double{greatest_side}));
-    const auto stride = [](int side) { return side / 16 + 1; };
-    if (try_at(next)) {
-        while ((next -= stride(next)) > low && try_at(next)) {
-        }
-    } else {
-        while ((next = std::min(next + stride(next), greatest_side)) < high && !try_at(next) && next < greatest_side) {
-        }
+    const double longest = std::ceil(m_longest * density) + 1.0;
+    const double side = std::sqrt(foretold_area(density, gutter));
+    if (!(std::max(longest, side) <= greatest_height)) {
+        return std::nullopt;
     }
-    const int enough = m_charts.size() <= 64 ? 0 : high / 192;
-    while (best && high - low > 1 + enough) {
-        (void)try_at(low + (high - low) / 2);
+    const int width = std::clamp(static_cast<int>(std::max(longest, side)), 1, greatest_side);
+    auto packing = at(density, {width, greatest_height, gutter, 1});
+    // A page twice as high as wide, or half as high, was foretold badly: once more, with what is known now.
+    if (packing && std::max(packing->height, packing->width) > 2 * std::min(packing->height, packing->width)) {
+        const double known = std::sqrt(static_cast<double>(packing->height) * packing->width);
+        const int better = std::clamp(static_cast<int>(std::max(longest, std::ceil(known))), 1, greatest_side);
+        packing = better == width ? std::move(packing) : at(density, {better, greatest_height, gutter, 1});
     }
-    return best;
+    return packing && packing->height <= greatest_side ? std::move(packing) : std::nullopt;
 }
 
 std::optional<int> ChartPacker::side_that_fits(std::optional<double> density, const PageSettings& settings) const {
     const double tried = density ? *density : m_longest > 0.0 ? 0.5 / m_longest : 1.0;
     const auto fits = [&](int side) {
         PageSettings pages = settings;
-        pages.side = side;
+        pages.width = side;
+        pages.height = side;
         return at(tried, pages).has_value();
     };
-    int too_small = settings.side;
-    int enough = settings.side;
+    int too_small = settings.width;
+    int enough = settings.width;
     do {
         if (enough == greatest_side) {
             return std::nullopt;

@@ -243,7 +243,7 @@ private:
         }
     }
 
-    void add_page(const std::string& name, int side) { m_atlas.pages.push_back({name, side, side}); }
+    void add_page(const std::string& name, int width, int height) { m_atlas.pages.push_back({name, width, height}); }
 
     /// A page that keeps its UVs has the size that was asked for, or that the density asks for.
     [[nodiscard]] int kept_side(const Object& object) const {
@@ -276,7 +276,7 @@ private:
         for (const Object& object : m_objects) {
             side = std::max(side, kept_side(object));
         }
-        add_page("lightmap", side);
+        add_page("lightmap", side, side);
         for (const Object& object : m_objects) {
             if (!object.triangles.empty()) {
                 keep_uvs(object, 0);
@@ -292,7 +292,8 @@ private:
         }
         const Packing packing = pack_charts(charts, m_settings.max_pages, "scene");
         for (std::uint32_t page = 0; page < packing.page_count; ++page) {
-            add_page(packing.page_count == 1 ? "lightmap" : "lightmap-" + std::to_string(page), packing.side);
+            add_page(packing.page_count == 1 ? "lightmap" : "lightmap-" + std::to_string(page), packing.width,
+                     packing.height);
         }
         place(charts, packing, 0);
         m_atlas.density = packing.density * m_surface.frame.scale();
@@ -307,12 +308,12 @@ private:
             const auto page = static_cast<std::uint32_t>(m_atlas.pages.size());
             const std::string& name = m_surface.objects[index].name;
             if (object.kept) {
-                add_page(name, kept_side(object));
+                add_page(name, kept_side(object), kept_side(object));
                 keep_uvs(object, page);
                 continue;
             }
             const Packing packing = pack_charts(object.charts, 1, "object " + name);
-            add_page(name, packing.side);
+            add_page(name, packing.width, packing.height);
             place(object.charts, packing, page);
             const double density = packing.density * m_surface.frame.scale();
             m_atlas.density = m_atlas.density > 0.0 ? std::min(m_atlas.density, density) : density;
@@ -325,13 +326,13 @@ private:
             return m_rank[a.triangles.front()] < m_rank[b.triangles.front()];
         });
         const ChartPacker packer(charts, m_flat);
-        const PageSettings pages{m_settings.size, m_settings.gutter, max_pages};
+        const PageSettings pages{m_settings.size, m_settings.size, m_settings.gutter, max_pages};
         std::optional<double> density;
         if (m_settings.density) {
             density = *m_settings.density / m_surface.frame.scale();
         }
         auto packing = !density              ? packer.densest(pages)
-                       : m_settings.size > 0 ? packer.at(*density, pages)
+                       : m_settings.size > 0 ? packer.on_pages(*density, pages)
                                              : packer.least_page(*density, m_settings.gutter);
         if (packing) {
             return std::move(*packing);
@@ -354,7 +355,8 @@ private:
         parallel_ranges(charts.size(), 16, 0, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Placement& placement = packing.placements[i];
-                place_chart(charts[i], packing.layouts[i], placement, packing.side, m_flat, m_atlas.uvs);
+                place_chart(charts[i], packing.layouts[i], placement, glm::ivec2(packing.width, packing.height), m_flat,
+                            m_atlas.uvs);
                 repair_rounding(charts[i], m_flat, m_atlas.uvs);
                 for (const std::uint32_t triangle : charts[i].triangles) {
                     m_atlas.page[triangle] = first_page + placement.page;

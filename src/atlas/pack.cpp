@@ -20,20 +20,25 @@ struct Place {
 /// One page: which texels are taken, those within the gutter of a shape included.
 class Page {
 public:
-    Page(int side, int gutter)
-        : m_side(side), m_gutter(gutter), m_words((static_cast<std::size_t>(side) + 63) / 64),
-          m_bits(m_words * static_cast<std::size_t>(side), 0), m_longest(static_cast<std::size_t>(side), side) {}
+    explicit Page(const PageSettings& settings)
+        : m_width(settings.width), m_height(settings.height), m_gutter(settings.gutter),
+          m_words((static_cast<std::size_t>(settings.width) + 63) / 64) {}
 
     /// The highest place, of those the leftmost, from row `begin` on, its box's lower end not beyond row `end`.
-    [[nodiscard]] std::optional<Place> find(const ChartShape& shape, int begin, int end) const {
+    [[nodiscard]] std::optional<Place> find(const ChartShape& shape, int begin, int end) {
+        if (shape.width > m_width) {
+            return std::nullopt;
+        }
+        // Below the last row that is taken it fits, so no row further down is asked for.
+        add_rows(std::min(m_height, std::max(begin, m_used) + shape.height));
         const int widest = widest_row(shape);
         const int needed = longest_run(shape, widest);
         int suspect = widest; // the row that refused last: likely to refuse again
-        for (int y = begin; y + shape.height <= std::min(end, m_side); ++y) {
+        for (int y = begin; y + shape.height <= std::min(end, m_height); ++y) {
             if (m_longest[static_cast<std::size_t>(y) + static_cast<std::size_t>(widest)] < needed) {
                 continue;
             }
-            for (int x = 0; x + shape.width <= m_side;) {
+            for (int x = 0; x + shape.width <= m_width;) {
                 const int next = next_try(shape, x, y, suspect);
                 if (next == x) {
                     return Place{x, y};
@@ -45,12 +50,16 @@ public:
     }
 
     void take(const ChartShape& shape, const Place& place) {
-        for (int y = std::max(0, place.y - m_gutter); y < std::min(m_side, place.y + shape.height + m_gutter); ++y) {
+        const int end = std::min(m_height, place.y + shape.height + m_gutter);
+        add_rows(end);
+        m_used = std::max(m_used, end);
+        for (int y = std::max(0, place.y - m_gutter); y < end; ++y) {
             const int from = std::max(0, y - place.y - m_gutter);
             const int to = std::min(shape.height, y - place.y + m_gutter + 1);
             for (int row = from; row < to; ++row) {
                 for (const ChartShape::Run& run : shape.row(row)) {
-                    set(y, std::max(0, place.x + run.begin - m_gutter), std::min(m_side, place.x + run.end + m_gutter));
+                    set(y, std::max(0, place.x + run.begin - m_gutter),
+                        std::min(m_width, place.x + run.end + m_gutter));
                 }
             }
             m_longest[static_cast<std::size_t>(y)] = longest_free(y);
@@ -58,6 +67,13 @@ public:
     }
 
 private:
+    void add_rows(int count) {
+        if (static_cast<std::size_t>(count) > m_longest.size()) {
+            m_longest.resize(static_cast<std::size_t>(count), m_width);
+            m_bits.resize(m_words * static_cast<std::size_t>(count), 0);
+        }
+    }
+
     static int longest_run(const ChartShape& shape, int y) {
         int longest = 0;
         for (const ChartShape::Run& run : shape.row(y)) {
@@ -134,12 +150,14 @@ private:
                            : bits & (~std::uint64_t{0} << (static_cast<unsigned>(begin) % 64));
             }
         }
-        return std::max(longest, m_side - begin);
+        return std::max(longest, m_width - begin);
     }
 
-    int m_side;
+    int m_width;
+    int m_height;
     int m_gutter;
     std::size_t m_words;
+    int m_used = 0; ///< rows up to the last that is taken
     std::vector<std::uint64_t> m_bits;
     std::vector<int> m_longest; ///< by row: its longest run of free texels
 };
@@ -155,11 +173,11 @@ public:
                 if (static_cast<int>(page) == m_settings.max_pages) {
                     return std::nullopt;
                 }
-                m_pages.emplace_back(m_settings.side, m_settings.gutter);
+                m_pages.emplace_back(m_settings);
                 m_begins.emplace_back();
             }
             std::optional<Placement> best;
-            int end = m_settings.side; // only a place that brings its lower end higher is better
+            int end = m_settings.height; // only a place that brings its lower end higher is better
             for (std::size_t turns = 0; turns < ways.size(); ++turns) {
                 if (const auto place = find(page, ways[turns], turns >= 2, end)) {
                     best = Placement{page, place->x, place->y, static_cast<int>(turns)};
@@ -216,13 +234,14 @@ std::optional<std::vector<Placement>> pack(std::span<const ChartShape> shapes, c
     double texels = 0.0;
     std::vector<double> counts;
     for (const ChartShape& shape : shapes) {
-        if (std::max(shape.width, shape.height) > settings.side) {
+        if (std::max(shape.width, shape.height) > std::max(settings.width, settings.height) ||
+            std::min(shape.width, shape.height) > std::min(settings.width, settings.height)) {
             return std::nullopt;
         }
         counts.push_back(shape.texel_count());
         texels += counts.back();
     }
-    if (texels > static_cast<double>(settings.side) * settings.side * settings.max_pages) {
+    if (texels > static_cast<double>(settings.width) * settings.height * settings.max_pages) {
         return std::nullopt;
     }
     std::vector<std::size_t> order(shapes.size());

@@ -1,4 +1,4 @@
-// Shapes into square pages.
+// Shapes into pages.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ struct Placement {
 };
 
 struct PageSettings {
-    int side = 0;   ///< texels
+    int width = 0;  ///< texels
+    int height = 0; ///< the most that a page may have; rows that nothing reaches cost nothing
     int gutter = 0; ///< texels that stay empty between any two shapes, along x or along y; none at the page's border
     int max_pages = 1;
 };

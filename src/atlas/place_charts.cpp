@@ -89,7 +89,7 @@ FlatTriangle taken_back(const FlatTriangle& moved, const FlatTriangle& fixed) {
 
 } // namespace
 
-void place_chart(const Chart& chart, const ChartLayout& layout, const Placement& placement, int side,
+void place_chart(const Chart& chart, const ChartLayout& layout, const Placement& placement, const glm::ivec2& page,
                  std::span<const glm::vec2> flat, std::span<glm::vec2> uvs) {
     for (const std::uint32_t triangle : chart.triangles) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -100,7 +100,7 @@ void place_chart(const Chart& chart, const ChartLayout& layout, const Placement&
                 local = {local.y, size.x - local.x};
                 size = {size.y, size.x};
             }
-            uvs[corner] = to_grid((glm::dvec2(placement.x, placement.y) + local) / static_cast<double>(side));
+            uvs[corner] = to_grid((glm::dvec2(placement.x, placement.y) + local) / glm::dvec2(page));
         }
     }
 }

@@ -12,8 +12,8 @@ namespace vkbake {
 
 /// Writes the UVs of one chart: 3 a triangle of the surface. Turned, what ran to the right runs up. They are multiples
 /// of 2⁻²³, which floats in [0,1] hold exactly, and corners that are equal in `flat` are equal in `uvs`. A page has
-/// `side` texels, at most 16384, so a grid step is 1/512 texel or less.
-void place_chart(const Chart& chart, const ChartLayout& layout, const Placement& placement, int side,
+/// `page`: its texels along each side, at most 16384, so a grid step is 1/512 texel or less.
+void place_chart(const Chart& chart, const ChartLayout& layout, const Placement& placement, const glm::ivec2& page,
                  std::span<const glm::vec2> flat, std::span<glm::vec2> uvs);
 
 /// Rounding to the grid may turn a sliver over, or push a corner across an edge that it lay on (a T-junction). This

@@ -24,7 +24,7 @@ std::optional<std::vector<Placement>> pack(const std::vector<TexelSize>& sizes, 
 void expect_apart(const std::vector<TexelSize>& rectangles, const std::vector<Placement>& placements,
                   const PageSettings& settings) {
     ASSERT_EQ(placements.size(), rectangles.size());
-    const auto side = static_cast<std::size_t>(settings.side);
+    const auto side = static_cast<std::size_t>(settings.width);
     std::vector<std::vector<int>> pages;
     for (std::size_t r = 0; r < rectangles.size(); ++r) {
         const Placement& place = placements[r];
@@ -32,17 +32,17 @@ void expect_apart(const std::vector<TexelSize>& rectangles, const std::vector<Pl
         const int height = place.turns % 2 == 1 ? rectangles[r].width : rectangles[r].height;
         ASSERT_GE(place.x, 0);
         ASSERT_GE(place.y, 0);
-        ASSERT_LE(place.x + width, settings.side);
-        ASSERT_LE(place.y + height, settings.side);
+        ASSERT_LE(place.x + width, settings.width);
+        ASSERT_LE(place.y + height, settings.width);
         ASSERT_LT(place.page, static_cast<std::uint32_t>(settings.max_pages));
         if (place.page >= pages.size()) {
             pages.resize(place.page + 1, std::vector<int>(side * side, -1));
         }
         // The rectangle and its gutter may hold nothing that came before; what comes later tests the same of itself.
         for (int y = std::max(0, place.y - settings.gutter);
-             y < std::min(settings.side, place.y + height + settings.gutter); ++y) {
+             y < std::min(settings.width, place.y + height + settings.gutter); ++y) {
             for (int x = std::max(0, place.x - settings.gutter);
-                 x < std::min(settings.side, place.x + width + settings.gutter); ++x) {
+                 x < std::min(settings.width, place.x + width + settings.gutter); ++x) {
                 int& owner = pages[place.page][static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)];
                 ASSERT_EQ(owner, -1) << "rectangles " << owner << " and " << r;
             }
@@ -65,7 +65,7 @@ TEST(Pack, keeps_rectangles_apart) {
             for (TexelSize& rectangle : rectangles) {
                 rectangle = {length(random), length(random)};
             }
-            const PageSettings settings{100, gutter, 400};
+            const PageSettings settings{100, 100, gutter, 400};
             const auto placements = pack(rectangles, settings);
             ASSERT_TRUE(placements);
             expect_apart(rectangles, *placements, settings);
@@ -76,13 +76,14 @@ TEST(Pack, keeps_rectangles_apart) {
 TEST(Pack, fills_a_page_that_equal_rectangles_fill_exactly) {
     for (const int gutter : {0, 2}) {
         const int side = 10 * (8 + gutter) - gutter;
-        const PageSettings settings{side, gutter, 1};
+        const PageSettings settings{side, side, gutter, 1};
         EXPECT_TRUE(pack(std::vector<TexelSize>(100, {8, 8}), settings));
         EXPECT_FALSE(pack(std::vector<TexelSize>(101, {8, 8}), settings));
         // Standing and lying ones are the same.
         std::vector<TexelSize> mixed(64, {5, 20});
         std::fill(mixed.begin() + 32, mixed.end(), TexelSize{20, 5});
-        EXPECT_TRUE(pack(mixed, {4 * 20 + 3 * gutter + (gutter > 0 ? 24 : 0), gutter, 1}));
+        const int mixed_side = 4 * 20 + 3 * gutter + (gutter > 0 ? 24 : 0);
+        EXPECT_TRUE(pack(mixed, {mixed_side, mixed_side, gutter, 1}));
     }
 }
 
@@ -96,26 +97,26 @@ TEST(Pack, fills_the_holes_between_outlines) {
     corner.first.push_back(40);
     EXPECT_EQ(corner.texel_count(), 1200.0);
     const std::vector<ChartShape> pieces{corner, rectangle({20, 20})};
-    const auto placements = vkbake::pack(pieces, {40, 0, 1});
+    const auto placements = vkbake::pack(pieces, {40, 40, 0, 1});
     ASSERT_TRUE(placements);
     EXPECT_EQ((*placements)[1].x, 20);
     EXPECT_EQ((*placements)[1].y, 0);
-    EXPECT_FALSE(vkbake::pack(pieces, {40, 1, 1}));
+    EXPECT_FALSE(vkbake::pack(pieces, {40, 40, 1, 1}));
 }
 
 TEST(Pack, turns_what_stands_too_high) {
     const std::vector<TexelSize> rectangles{{3, 10}, {10, 3}, {3, 10}, {1, 10}};
-    const PageSettings settings{10, 0, 1};
+    const PageSettings settings{10, 10, 0, 1};
     const auto placements = pack(rectangles, settings);
     ASSERT_TRUE(placements);
     expect_apart(rectangles, *placements, settings);
 }
 
 TEST(Pack, refuses_what_no_page_holds) {
-    EXPECT_FALSE(pack(std::vector<TexelSize>{{11, 1}}, {10, 0, 5}));
-    EXPECT_TRUE(pack(std::vector<TexelSize>{{10, 10}, {10, 10}}, {10, 64, 2}));
-    EXPECT_FALSE(pack(std::vector<TexelSize>{{10, 10}, {10, 10}}, {10, 64, 1}));
-    EXPECT_TRUE(pack(std::vector<TexelSize>{}, {10, 0, 1}));
+    EXPECT_FALSE(pack(std::vector<TexelSize>{{11, 1}}, {10, 10, 0, 5}));
+    EXPECT_TRUE(pack(std::vector<TexelSize>{{10, 10}, {10, 10}}, {10, 10, 64, 2}));
+    EXPECT_FALSE(pack(std::vector<TexelSize>{{10, 10}, {10, 10}}, {10, 10, 64, 1}));
+    EXPECT_TRUE(pack(std::vector<TexelSize>{}, {10, 10, 0, 1}));
 }
 
 // Best fit leaves a few per cent of a page empty with this many rectangles; 85 % is far from what a broken packer
@@ -129,7 +130,7 @@ TEST(Pack, wastes_little) {
         rectangles.push_back({length(random), length(random)});
         area += static_cast<double>(rectangles.back().width) * rectangles.back().height;
     }
-    EXPECT_TRUE(pack(rectangles, {512, 0, 1}));
+    EXPECT_TRUE(pack(rectangles, {512, 512, 0, 1}));
 }
 
 } // namespace
