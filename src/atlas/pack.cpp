@@ -33,13 +33,13 @@ public:
         add_rows(std::min(m_height, std::max(begin, m_used) + shape.height));
         const int widest = widest_row(shape);
         const int needed = longest_run(shape, widest);
-        int suspect = widest; // the row that refused last: likely to refuse again
+        std::vector<int> order = order_of_rows(shape, widest);
         for (int y = begin; y + shape.height <= std::min(end, m_height); ++y) {
             if (m_longest[static_cast<std::size_t>(y) + static_cast<std::size_t>(widest)] < needed) {
                 continue;
             }
             for (int x = 0; x + shape.width <= m_width;) {
-                const int next = next_try(shape, x, y, suspect);
+                const int next = next_try(shape, x, y, order);
                 if (next == x) {
                     return Place{x, y};
                 }
@@ -90,14 +90,26 @@ private:
         return widest;
     }
 
+    /// Rows in the order in which they are tried: neighbours refuse alike, so first some that are far apart.
+    static std::vector<int> order_of_rows(const ChartShape& shape, int widest) {
+        std::vector<int> order;
+        for (int stride = 16; stride >= 1; stride /= 2) {
+            for (int row = stride == 16 ? 0 : stride; row < shape.height; row += stride == 16 ? 16 : 2 * stride) {
+                order.push_back(row);
+            }
+        }
+        std::swap(order.front(), *std::ranges::find(order, widest));
+        return order;
+    }
+
     /// `x` itself where the shape fits there, else the least x that may do: beyond what is in the way.
-    [[nodiscard]] int next_try(const ChartShape& shape, int x, int y, int& suspect) const {
-        for (int k = 0; k < shape.height; ++k) {
-            const int row = k == 0 ? suspect : k <= suspect ? k - 1 : k;
+    [[nodiscard]] int next_try(const ChartShape& shape, int x, int y, std::vector<int>& order) const {
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const int row = order[k];
             for (const ChartShape::Run& run : shape.row(row)) {
                 const int last = last_taken(y + row, x + run.begin, x + run.end);
                 if (last >= 0) {
-                    suspect = row;
+                    std::swap(order[k], order[std::min<std::size_t>(k, 1)]); // likely to refuse again
                     return last + 1 - run.begin;
                 }
             }
