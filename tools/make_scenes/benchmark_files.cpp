@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -146,6 +147,9 @@ std::vector<File> make_benchmark_files() {
         }
     }
     files.push_back(forest(cut_outs()));
+    for (File& file : make_unwrap_files()) {
+        files.push_back(std::move(file));
+    }
     return files;
 }
 

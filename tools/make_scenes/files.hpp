@@ -22,6 +22,9 @@ struct File {
 [[nodiscard]] File make_pergola_file();
 [[nodiscard]] std::vector<File> make_test_files();
 
+/// Meshes of a million triangles: one curved everywhere, one of 100,000 islands.
+[[nodiscard]] std::vector<File> make_unwrap_files();
+
 /// Scenes that are large or many, for benchmarks alone: not checked in, and not all closed or free of crossings.
 [[nodiscard]] std::vector<File> make_benchmark_files();
 
