@@ -158,9 +158,8 @@ private:
 
 } // namespace
 
-std::vector<Patch> grow_patches(Patches& patches, const std::vector<std::uint32_t>& component,
-                                const PatchLimits& limits) {
-    std::vector<Patch> pieces;
+void grow_patches(Patches& patches, const std::vector<std::uint32_t>& component, const PatchLimits& limits,
+                  std::vector<Patch>& pieces) {
     double length = 0.0;
     for (const std::uint32_t triangle : component) {
         for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
@@ -173,7 +172,6 @@ std::vector<Patch> grow_patches(Patches& patches, const std::vector<std::uint32_
             pieces.push_back(grower.grow(seed, static_cast<std::uint32_t>(pieces.size())));
         }
     }
-    return pieces;
 }
 
 } // namespace vkbake

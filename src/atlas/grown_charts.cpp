@@ -8,14 +8,20 @@
 #include <glm/geometric.hpp>
 
 #include "atlas/chart_mesh.hpp"
+#include "atlas/cluster_triangles.hpp"
 #include "atlas/fold_in.hpp"
 #include "atlas/patches.hpp"
+#include "atlas/sew.hpp"
 #include "atlas/triangle_tree.hpp"
 #include "base/parallel.hpp"
 
 namespace vkbake {
 
 namespace {
+
+// About 45°: a cap of a sphere that wide stays within the default stretch. 26 … 72° gave suzanne and the bunny as few
+// charts, but charts that fill a page less well, or are bent further.
+constexpr double cone = 0.7;
 
 using Pieces = std::vector<std::vector<std::uint32_t>>;
 
@@ -97,10 +103,11 @@ public:
 
     Pieces run() {
         const Pieces components = components_of(m_mesh);
+        std::vector<std::vector<Patch>> patches = lay_out_clusters(components);
         std::vector<Pieces> found(components.size());
         parallel_ranges(components.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                found[i] = make_charts_of(components[i]);
+                found[i] = make_charts_of(components[i], std::move(patches[i]));
             }
         });
         Pieces charts;
@@ -115,8 +122,34 @@ public:
     [[nodiscard]] const std::vector<glm::vec2>& flat() const { return m_flat; }
 
 private:
-    Pieces make_charts_of(const std::vector<std::uint32_t>& component) {
-        std::vector<Patch> pieces = grow_patches(m_patches, component, m_limits);
+    /// By component; those that could not be laid out within the limits have no area.
+    std::vector<std::vector<Patch>> lay_out_clusters(const Pieces& components) {
+        std::vector<std::vector<Patch>> patches(components.size());
+        parallel_ranges(components.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                for (Cluster& cluster : cluster_triangles(m_mesh, components[i], cone, m_patches.patch_of)) {
+                    patches[i].push_back({.triangles = std::move(cluster)});
+                }
+            }
+        });
+        std::vector<Patch*> all;
+        for (std::vector<Patch>& own : patches) {
+            for (Patch& patch : own) {
+                all.push_back(&patch);
+            }
+        }
+        parallel_ranges(all.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (!lay_out_patch(m_patches, *all[i], m_limits)) {
+                    all[i]->area = 0.0;
+                }
+            }
+        });
+        return patches;
+    }
+
+    Pieces make_charts_of(const std::vector<std::uint32_t>& component, std::vector<Patch> pieces) {
+        grow_instead(component, pieces);
         merge_patches(m_patches, pieces, m_limits);
         Pieces charts;
         for (Patch& piece : pieces) {
@@ -125,6 +158,24 @@ private:
             cut_overlaps(std::move(piece.triangles), charts);
         }
         return charts;
+    }
+
+    /// What could not be laid out as a whole is laid out triangle by triangle.
+    void grow_instead(const std::vector<std::uint32_t>& component, std::vector<Patch>& pieces) {
+        std::vector<Patch> good;
+        for (Patch& piece : pieces) {
+            const std::uint32_t name = piece.area > 0.0 ? static_cast<std::uint32_t>(good.size()) : ChartMesh::none;
+            for (const std::uint32_t triangle : piece.triangles) {
+                m_patches.patch_of[triangle] = name;
+            }
+            if (piece.area > 0.0) {
+                good.push_back(std::move(piece));
+            }
+        }
+        if (good.size() < pieces.size()) {
+            grow_patches(m_patches, component, m_limits, good);
+        }
+        pieces = std::move(good);
     }
 
     /// Writes the flat coordinates, v down.

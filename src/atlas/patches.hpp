@@ -39,11 +39,11 @@ struct PatchLimits {
     double free_area = 0.0;       ///< a patch of up to so much may be joined to another across a crease
 };
 
-/// Grows patches over a component (triangles that hang together by sides, ascending) until each triangle with area has
-/// one, never across a crease. A patch grows by the triangle that is nearest to where it
-/// began, in its own plane, coplanar ones first; each new corner goes where the triangles around it would have it.
-[[nodiscard]] std::vector<Patch> grow_patches(Patches& patches, const std::vector<std::uint32_t>& component,
-                                              const PatchLimits& limits);
+/// Grows patches over a component's triangles (that hang together by sides, ascending) that are in none, and adds them
+/// to `pieces`, never across a crease. A patch grows by the triangle that is nearest to where it began, in its own
+/// plane, coplanar ones first; each new corner goes where the triangles around it would have it.
+void grow_patches(Patches& patches, const std::vector<std::uint32_t>& component, const PatchLimits& limits,
+                  std::vector<Patch>& pieces);
 
 /// Joins patches that are neighbours on the surface, those first that share most of their outlines, across creases only
 /// small ones: one is moved rigidly until their common sides meet. Where that would make patches overlap they stay

@@ -14,7 +14,9 @@ namespace {
 class Sewing {
 public:
     Sewing(Patches& patches, const Patch& first, const Patch& second, const RigidMotion& motion)
-        : m_patches(patches), m_mesh(*patches.mesh), m_first_count(first.triangles.size()) {
+        : m_patches(patches), m_mesh(*patches.mesh), m_first_count(first.triangles.size()),
+          m_first_name(patches.patch_of[first.triangles.front()]),
+          m_second_name(second.triangles.empty() ? m_first_name : patches.patch_of[second.triangles.front()]) {
         m_piece.triangles = first.triangles;
         m_piece.triangles.insert(m_piece.triangles.end(), second.triangles.begin(), second.triangles.end());
         for (std::uint32_t local = 0; local < m_piece.triangles.size(); ++local) {
@@ -65,11 +67,12 @@ private:
                 if (beyond == ChartMesh::none) {
                     continue;
                 }
-                const std::uint32_t other = m_patches.local[beyond / 3];
-                if (other >= m_piece.triangles.size() || m_piece.triangles[other] != beyond / 3) {
+                const std::uint32_t beyond_name = m_patches.patch_of[beyond / 3];
+                if (beyond_name != m_first_name && beyond_name != m_second_name) {
                     continue;
                 }
-                const bool hangs = m_patches.patch_of[beyond / 3] == name
+                const std::uint32_t other = m_patches.local[beyond / 3];
+                const bool hangs = beyond_name == name
                                        ? m_patches.places[side] == m_patches.places[next_corner(beyond)] &&
                                              m_patches.places[next_corner(side)] == m_patches.places[beyond]
                                        : !m_mesh.creases[side];
@@ -155,6 +158,8 @@ private:
     Patches& m_patches;
     const ChartMesh& m_mesh;
     std::size_t m_first_count;
+    std::uint32_t m_first_name; ///< in Patches::patch_of
+    std::uint32_t m_second_name;
     SewnPiece m_piece;
     std::vector<std::uint32_t> m_points; ///< 3 a triangle
     std::vector<glm::dvec2> m_places;    ///< by point
@@ -165,6 +170,41 @@ private:
 std::optional<SewnPiece> sew(Patches& patches, const Patch& first, const Patch& second, const RigidMotion& motion,
                              const PatchLimits& limits, int rounds) {
     return Sewing(patches, first, second, motion).run(limits, rounds);
+}
+
+bool lay_out_patch(Patches& patches, Patch& patch, const PatchLimits& limits) {
+    const ChartMesh& mesh = *patches.mesh;
+    glm::dvec3 facing(0.0);
+    for (const std::uint32_t triangle : patch.triangles) {
+        const LaidTriangle laid = lay_down(mesh, 3 * triangle);
+        patch.area += 0.5 * laid.x1 * laid.y2;
+        facing += 0.5 * laid.x1 * laid.y2 * mesh.normals[triangle];
+    }
+    if (glm::length(facing) == 0.0) {
+        return false;
+    }
+    facing = glm::normalize(facing);
+    const glm::dvec3 aside = std::abs(facing.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 u = glm::normalize(glm::cross(aside, facing));
+    const glm::dvec3 v = glm::cross(facing, u);
+    const glm::dvec3 origin = mesh.corner(3 * patch.triangles.front());
+    for (const std::uint32_t triangle : patch.triangles) {
+        for (std::uint32_t place = 3 * triangle; place < 3 * triangle + 3; ++place) {
+            const glm::dvec3 way = mesh.corner(place) - origin;
+            patches.places[place] = {glm::dot(way, u), glm::dot(way, v)};
+        }
+    }
+    constexpr int rounds = 8; // from a shadow
+    const auto laid = sew(patches, patch, {}, {}, limits, rounds);
+    if (!laid) {
+        return false;
+    }
+    patch.energy = laid->energy;
+    for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+        std::copy_n(laid->places.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                    patches.places.begin() + 3 * static_cast<std::ptrdiff_t>(patch.triangles[i]));
+    }
+    return true;
 }
 
 RigidMotion best_motion(const Patches& patches, std::span<const std::uint32_t> common) {

@@ -25,6 +25,10 @@ struct SewnPiece {
 [[nodiscard]] std::optional<SewnPiece> sew(Patches& patches, const Patch& first, const Patch& second,
                                            const RigidMotion& motion, const PatchLimits& limits, int rounds);
 
+/// Lays a patch out that faces one way: as its shadow in its own plane, then relaxed. False where that breaks a limit.
+/// Reads and writes of `patches` what is the patch's own, and reads whose the triangles beside it are.
+[[nodiscard]] bool lay_out_patch(Patches& patches, Patch& patch, const PatchLimits& limits);
+
 /// The motion that brings these sides as near to those across as can be: least squares, weighed by length.
 [[nodiscard]] RigidMotion best_motion(const Patches& patches, std::span<const std::uint32_t> common);
 
