@@ -104,16 +104,13 @@ public:
     Pieces run() {
         const Pieces components = components_of(m_mesh);
         std::vector<std::vector<Patch>> patches = lay_out_clusters(components);
-        std::vector<Pieces> found(components.size());
         parallel_ranges(components.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                found[i] = make_charts_of(components[i], std::move(patches[i]));
+                grow_instead(components[i], patches[i]);
+                merge_patches(m_patches, patches[i], m_limits);
             }
         });
-        Pieces charts;
-        for (Pieces& own : found) {
-            std::move(own.begin(), own.end(), std::back_inserter(charts));
-        }
+        Pieces charts = lay_straight(patches);
         fold_in(m_mesh.vertices, m_flat, charts);
         std::sort(charts.begin(), charts.end());
         return charts;
@@ -132,12 +129,7 @@ private:
                 }
             }
         });
-        std::vector<Patch*> all;
-        for (std::vector<Patch>& own : patches) {
-            for (Patch& patch : own) {
-                all.push_back(&patch);
-            }
-        }
+        const std::vector<Patch*> all = every(patches);
         parallel_ranges(all.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (!lay_out_patch(m_patches, *all[i], m_limits)) {
@@ -148,17 +140,47 @@ private:
         return patches;
     }
 
-    Pieces make_charts_of(const std::vector<std::uint32_t>& component, std::vector<Patch> pieces) {
-        grow_instead(component, pieces);
-        merge_patches(m_patches, pieces, m_limits);
+    /// Writes the flat coordinates. Rounding, and outlines that cross where no joint was looked at, may make triangles
+    /// overlap: such patches are cut.
+    Pieces lay_straight(std::vector<std::vector<Patch>>& patches) {
+        std::vector<Patch*> all = every(patches);
+        std::vector<std::uint8_t> sound(all.size());
+        parallel_ranges(all.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                std::vector<std::uint32_t>& triangles = all[i]->triangles;
+                lay_straight(*all[i]);
+                std::sort(triangles.begin(), triangles.end());
+                sound[i] = std::ranges::none_of(triangles, [&](std::uint32_t t) { return is_mirrored(t); }) &&
+                           !any_overlap(TriangleTree(m_flat, triangles), triangles);
+            }
+        });
         Pieces charts;
-        for (Patch& piece : pieces) {
-            lay_straight(piece);
-            std::sort(piece.triangles.begin(), piece.triangles.end());
-            cut_overlaps(std::move(piece.triangles), charts);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (sound[i] != 0) {
+                charts.push_back(std::move(all[i]->triangles));
+            } else {
+                cut_overlaps(std::move(all[i]->triangles), charts);
+            }
         }
         return charts;
     }
+
+    static std::vector<Patch*> every(std::vector<std::vector<Patch>>& patches) {
+        std::vector<Patch*> all;
+        for (std::vector<Patch>& own : patches) {
+            for (Patch& patch : own) {
+                all.push_back(&patch);
+            }
+        }
+        return all;
+    }
+
+    static bool any_overlap(const TriangleTree& tree, std::span<const std::uint32_t> triangles) {
+        return std::ranges::any_of(triangles, [&](std::uint32_t triangle) { return tree.overlaps_any(triangle); });
+    }
+
+    /// Against the front, or of no area.
+    [[nodiscard]] bool is_mirrored(std::uint32_t triangle) const { return orientation(laid(triangle)) >= 0; }
 
     /// What could not be laid out as a whole is laid out triangle by triangle.
     void grow_instead(const std::vector<std::uint32_t>& component, std::vector<Patch>& pieces) {
@@ -191,11 +213,10 @@ private:
         }
     }
 
-    /// Rounding, and outlines that cross where no joint was looked at, may make triangles overlap: such a piece is
-    /// grown again, from the least triangle, without what overlaps it.
+    /// What is mirrored lies alone; the rest is grown again, from the least triangle, without what overlaps it.
     void cut_overlaps(std::vector<std::uint32_t> piece, Pieces& charts) {
         std::erase_if(piece, [&](std::uint32_t triangle) {
-            const bool mirrored = orientation(laid(triangle)) >= 0;
+            const bool mirrored = is_mirrored(triangle);
             if (mirrored) {
                 charts.push_back({triangle});
                 lay_alone(triangle);
@@ -206,7 +227,7 @@ private:
             return;
         }
         TriangleTree tree(m_flat, piece);
-        if (std::ranges::none_of(piece, [&](std::uint32_t triangle) { return tree.overlaps_any(triangle); })) {
+        if (!any_overlap(tree, piece)) {
             charts.push_back(std::move(piece));
             return;
         }

@@ -179,7 +179,7 @@ private:
             length += length_of(side);
         }
         // Hopeless ones need no system solved: what is this far off has to be bent about as much.
-        if (mismatch > 0.2 * length * length) {
+        if (mismatch > 0.1 * length * length || !good_shape(a, b, box_beside(a, b, motion))) {
             return;
         }
         constexpr int rounds = 3;
@@ -202,6 +202,17 @@ private:
         m_own[a].grid.reset();
         join(a, b, {sewn->places.begin() + static_cast<std::ptrdiff_t>(3 * own_count), sewn->places.end()}, box);
         m_pieces[a].energy = sewn->energy;
+    }
+
+    /// Of a, and of b moved.
+    [[nodiscard]] PlaneBox box_beside(std::uint32_t a, std::uint32_t b, const RigidMotion& motion) const {
+        PlaneBox box = m_own[a].box;
+        for (const std::uint32_t triangle : m_pieces[b].triangles) {
+            for (std::uint32_t place = 3 * triangle; place < 3 * triangle + 3; ++place) {
+                box.add(motion(m_all.places[place]));
+            }
+        }
+        return box;
     }
 
     [[nodiscard]] RigidMotion hinge_motion(std::uint32_t own) const {
