@@ -20,8 +20,9 @@ struct Place {
 /// One page: which texels are taken, those within the gutter of a shape included.
 class Page {
 public:
-    explicit Page(const PageSettings& settings)
-        : m_width(settings.width), m_height(settings.height), m_gutter(settings.gutter),
+    /// `hasty`: large shapes are not tried at every row.
+    Page(const PageSettings& settings, bool hasty)
+        : m_hasty(hasty), m_width(settings.width), m_height(settings.height), m_gutter(settings.gutter),
           m_words((static_cast<std::size_t>(settings.width) + 63) / 64) {}
 
     /// The highest place, of those the leftmost, from row `begin` on, its box's lower end not beyond row `end`.
@@ -30,18 +31,21 @@ public:
             return std::nullopt;
         }
         // Below the last row that is taken it fits, so no row further down is asked for.
-        add_rows(std::min(m_height, std::max(begin, m_used) + shape.height));
+        add_rows(std::min(m_height, std::max(begin, m_used) + shape.height + shape.height / 8 + 1));
         const int widest = widest_row(shape);
         const int needed = longest_run(shape, widest);
         std::vector<int> order = order_of_rows(shape, widest);
-        for (int y = begin; y + shape.height <= std::min(end, m_height); ++y) {
+        const int last = std::min(end, m_height) - shape.height;
+        // It is pushed up in the end, so that only holes that fit it closely are not found.
+        const int stride = m_hasty ? std::max(1, shape.height / 8) : 1;
+        for (int y = begin; y <= last; y = y < last ? std::min(y + stride, last) : last + 1) {
             if (m_longest[static_cast<std::size_t>(y) + static_cast<std::size_t>(widest)] < needed) {
                 continue;
             }
             for (int x = 0; x + shape.width <= m_width;) {
                 const int next = next_try(shape, x, y, order);
                 if (next == x) {
-                    return Place{x, y};
+                    return pushed_up(shape, {x, y}, begin, order);
                 }
                 x = next;
             }
@@ -88,6 +92,16 @@ private:
             widest = longest_run(shape, y) > longest_run(shape, widest) ? y : widest;
         }
         return widest;
+    }
+
+    Place pushed_up(const ChartShape& shape, Place place, int begin, std::vector<int>& order) const {
+        while (place.y > begin && next_try(shape, place.x, place.y - 1, order) == place.x) {
+            --place.y;
+        }
+        while (place.x > 0 && next_try(shape, place.x - 1, place.y, order) == place.x - 1) {
+            --place.x;
+        }
+        return place;
     }
 
     /// Rows in the order in which they are tried: neighbours refuse alike, so first some that are far apart.
@@ -165,6 +179,7 @@ private:
         return std::max(longest, m_width - begin);
     }
 
+    bool m_hasty;
     int m_width;
     int m_height;
     int m_gutter;
@@ -176,7 +191,7 @@ private:
 
 class Packer {
 public:
-    explicit Packer(const PageSettings& settings) : m_settings(settings) {}
+    Packer(const PageSettings& settings, bool hasty) : m_settings(settings), m_hasty(hasty) {}
 
     [[nodiscard]] std::optional<Placement> place(const ChartShape& shape) {
         const std::vector<ChartShape> ways = turns_of(shape);
@@ -185,7 +200,7 @@ public:
                 if (static_cast<int>(page) == m_settings.max_pages) {
                     return std::nullopt;
                 }
-                m_pages.emplace_back(m_settings);
+                m_pages.emplace_back(m_settings, m_hasty);
                 m_begins.emplace_back();
             }
             std::optional<Placement> best;
@@ -236,6 +251,7 @@ private:
     }
 
     PageSettings m_settings;
+    bool m_hasty;
     std::vector<Page> m_pages;
     std::vector<std::map<Kind, int>> m_begins; ///< by page: the row from which a kind is looked for
 };
@@ -260,7 +276,8 @@ std::optional<std::vector<Placement>> pack(std::span<const ChartShape> shapes, c
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
     std::vector<Placement> placements(shapes.size());
-    Packer packer(settings);
+    constexpr std::size_t few = 64; // charts: their places decide how full the page is, and are soon found
+    Packer packer(settings, shapes.size() > few);
     for (const std::size_t index : order) {
         const auto placement = packer.place(shapes[index]);
         if (!placement) {
