@@ -7,6 +7,7 @@
 
 #include "atlas/make_atlas.hpp"
 #include "atlas/measure_uvs.hpp"
+#include "base/parallel.hpp"
 #include "support.hpp"
 #include "surface/make_surface.hpp"
 
@@ -66,14 +67,14 @@ Scene box_on_ground() {
     Scene scene = empty_scene();
     Primitive& primitive = scene.meshes[0].primitives[0];
     add_box(primitive, {0.0F, 1.0F, 0.0F}, {1.0F, 2.0F, 1.5F});
-    add_quad(primitive, {-50, 0, 50}, {50, 0, 50}, {50, 0, -50}, {-50, 0, -50});
+    add_quad(primitive, {-25, 0, 25}, {25, 0, 25}, {25, 0, -25}, {-25, 0, -25});
     return scene;
 }
 
 // Its faces get different light, which would run into each other along the edges that they share.
 TEST(GrownCharts, a_box_is_cut_along_its_edges) {
     const Scene scene = box_on_ground();
-    const Atlas atlas = expect_good_atlas(scene, grown(2048));
+    const Atlas atlas = expect_good_atlas(scene, grown(1024));
     EXPECT_EQ(atlas.chart_count, 7U);
     const Surface surface = make_surface(scene);
     EXPECT_NEAR(figures_of(surface, atlas).stretch, 1.0, 1e-3);
@@ -81,7 +82,7 @@ TEST(GrownCharts, a_box_is_cut_along_its_edges) {
 
 // Around faces of a few texels gutters would take more room than they do.
 TEST(GrownCharts, a_box_of_few_texels_is_one_chart) {
-    const Atlas atlas = expect_good_atlas(box_on_ground(), grown(256));
+    const Atlas atlas = expect_good_atlas(box_on_ground(), grown(128));
     EXPECT_EQ(atlas.chart_count, 2U);
 }
 
@@ -266,6 +267,77 @@ TEST(GrownCharts, the_order_of_triangles_changes_nothing) {
             ASSERT_EQ(atlas.chart[a], other.chart[b]);
         }
     }
+}
+
+TEST(GrownCharts, the_number_of_threads_changes_nothing) {
+    Scene scene = sphere(16);
+    add_rough_ground(scene.meshes[0].primitives[0], 12, 1.0F);
+    for (int k = 0; k < 40; ++k) {
+        const auto x = static_cast<float>(30 + 3 * k);
+        add_box(scene.meshes[0].primitives[0], {x, 0, 0}, {x + 1, 2, 3});
+    }
+    const Surface surface = make_surface(scene);
+    Atlas alone;
+    with_threads(1, [&] { alone = make_atlas(scene, surface, grown(256)); });
+    for (const int threads : {2, 0}) {
+        with_threads(threads, [&] {
+            const Atlas atlas = make_atlas(scene, surface, grown(256));
+            EXPECT_EQ(atlas.uvs, alone.uvs);
+            EXPECT_EQ(atlas.chart, alone.chart);
+            EXPECT_EQ(atlas.page, alone.page);
+        });
+    }
+}
+
+/// n × m quads over the unit square, bent by `at`.
+template<typename At>
+void add_sheet(Primitive& primitive, int n, int m, const At& at) {
+    for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < m; ++k) {
+            const double u[]{static_cast<double>(i) / n, static_cast<double>(i + 1) / n};
+            const double v[]{static_cast<double>(k) / m, static_cast<double>(k + 1) / m};
+            add_quad(primitive, at(u[0], v[0]), at(u[1], v[0]), at(u[1], v[1]), at(u[0], v[1]));
+        }
+    }
+}
+
+// Whatever hangs together in a way that no flat map has is cut.
+TEST(GrownCharts, surfaces_of_any_kind_hold_every_promise) {
+    constexpr double full_turn = 2.0 * std::numbers::pi;
+    const auto torus = [](double u, double v) {
+        const double radius = 2.0 + 0.7 * std::cos(full_turn * std::fmod(v, 1.0));
+        return glm::vec3(radius * std::cos(full_turn * std::fmod(u, 1.0)),
+                         0.7 * std::sin(full_turn * std::fmod(v, 1.0)),
+                         -radius * std::sin(full_turn * std::fmod(u, 1.0)));
+    };
+    const auto moebius_strip = [](double u, double v) {
+        // Its two ends are the same points, in opposite order.
+        const double way = (u < 1.0 ? 1.0 : -1.0) * (v - 0.5);
+        const double turn = full_turn * std::fmod(u, 1.0);
+        const double radius = 2.0 + way * std::cos(0.5 * turn);
+        return glm::vec3(6.0 + radius * std::cos(turn), way * std::sin(0.5 * turn), radius * std::sin(turn));
+    };
+    const auto spiral_stair = [](double u, double v) {
+        const double turn = 3.0 * full_turn * u;
+        return glm::vec3(12.0 + (1.0 + v) * std::cos(turn), 4.0 * u, (1.0 + v) * std::sin(turn));
+    };
+    Scene scene = empty_scene();
+    Primitive& primitive = scene.meshes[0].primitives[0];
+    add_sheet(primitive, 24, 12, torus);
+    add_sheet(primitive, 30, 3, moebius_strip);
+    add_sheet(primitive, 60, 2, spiral_stair);
+    for (int leaf = 0; leaf < 5; ++leaf) { // of a book, at one edge
+        const double turn = full_turn * leaf / 5.0;
+        const auto x = static_cast<float>(16.0 + std::cos(turn));
+        const auto z = static_cast<float>(std::sin(turn));
+        add_quad(primitive, {16, 0, 0}, {x, 0, z}, {x, 1, z}, {16, 1, 0});
+    }
+    for (int copy = 0; copy < 8; ++copy) {
+        add_triangle(primitive, {18, 0, 0}, {19, 0, 0}, {18, 1, 0});
+    }
+    const Atlas atlas = expect_good_atlas(scene, grown(512));
+    // The stair lies on itself three times over as a shadow; its charts must not.
+    EXPECT_GE(atlas.chart_count, 8U + 5U);
 }
 
 // A square metre on 10 × 10 texels beside the same at half the density.
