@@ -15,7 +15,7 @@ namespace vkbake {
 struct GrowthLimits {
     double stretch = 1.01;    ///< L2 stretch of a chart, > 1
     double free_length = 0.0; ///< bake-frame units: up to this size a chart may have any shape
-    double free_area = 0.0;   ///< their square: up to this area a face may be joined to another across a crease
+    double free_area = 0.0;   ///< their square: up to this area faces may be joined across a crease
 };
 
 /// Charts of the triangles that hang together by edges (corners of equal bake-frame position are one): flat pieces and

@@ -170,7 +170,7 @@ private:
 
     [[nodiscard]] GrowthLimits growth_limits(std::uint32_t index) const {
         constexpr double used = 0.6;          // of a page, about
-        constexpr double free_texels = 144.0; // on a face so small the gutter would take about as many
+        constexpr double free_texels = 144.0; // around faces so small gutters would take about as many
         const double wanted = wanted_density(index);
         // Bake-frame units' squares a texel.
         const double texel_area = m_settings.density

@@ -55,6 +55,7 @@ private:
     struct Joint {
         double length = 0.0;
         double flat_length = 0.0; ///< of it, what is no crease
+        double bend = 0.0;        ///< Σ length · (1 − cosine between the triangles)
         std::uint32_t stamp = 0;  ///< of the candidate that speaks for it
     };
 
@@ -119,6 +120,7 @@ private:
                     Joint& joint = own.joints[m_all.patch_of[beyond / 3]];
                     joint.length += length;
                     joint.flat_length += m_mesh.creases[side] ? 0.0 : length;
+                    joint.bend += length * (1.0 - glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]));
                 }
             }
         }
@@ -132,16 +134,23 @@ private:
         m_queue.push({share + flat, std::min(a, b), std::max(a, b), joint.stamp});
     }
 
+    /// Light changes abruptly across a crease: in one chart the faces' texels would be mixed along it, and be seen as a
+    /// bright line in a dark corner, or as teeth where it runs aslant. Of small faces gutters take more than that is
+    /// worth, and a slight bend changes light less (the garden: a fifth fewer charts, a tenth less page).
+    [[nodiscard]] bool may_join(std::uint32_t a, std::uint32_t b) const {
+        constexpr double slight = 0.3; // 1 − cosine: 45°
+        constexpr double more = 6.0;
+        const Joint& joint = m_own[a].joints.at(b);
+        const double allowed = m_limits.free_area * (joint.bend < slight * joint.length ? more : 1.0);
+        return joint.flat_length > 0.5 * joint.length || m_pieces[a].area + m_pieces[b].area <= allowed;
+    }
+
+    /// The smaller one moves.
     void try_to_join(std::uint32_t a, std::uint32_t b) {
-        // The smaller one moves.
         if (m_pieces[a].triangles.size() < m_pieces[b].triangles.size()) {
             std::swap(a, b);
         }
-        // Light changes abruptly across a crease: in one chart the faces' texels would be mixed along it, and be seen
-        // as a bright line in a dark corner. Of a small face the gutter would take more texels than the mixing.
-        const Joint& joint = m_own[a].joints.at(b);
-        if (joint.flat_length <= 0.5 * joint.length &&
-            std::min(m_pieces[a].area, m_pieces[b].area) > m_limits.free_area) {
+        if (!may_join(a, b)) {
             return;
         }
         std::vector<std::uint32_t> common; // sides of b
@@ -182,8 +191,7 @@ private:
         if (mismatch > 0.1 * length * length || !good_shape(a, b, box_beside(a, b, motion))) {
             return;
         }
-        constexpr int rounds = 3;
-        const auto sewn = sew(m_all, m_pieces[a], m_pieces[b], motion, m_limits, rounds);
+        const auto sewn = sew(m_all, m_pieces[a], m_pieces[b], motion, m_limits, 3);
         if (!sewn) {
             return;
         }
@@ -358,6 +366,7 @@ private:
             Joint& sum = own.joints[other];
             sum.length += joint.length;
             sum.flat_length += joint.flat_length;
+            sum.bend += joint.bend;
             m_own[other].joints.erase(b);
             m_own[other].joints[a] = sum;
             push(a, other, sum);

@@ -36,7 +36,7 @@ struct PatchLimits {
     double mean_energy = 0.0;     ///< of Distortion::energy(), over the area
     double triangle_energy = 0.0; ///< of any triangle
     double free_length = 0.0;     ///< up to this side of their box patches may be joined to any shape
-    double free_area = 0.0;       ///< a patch of up to so much may be joined to another across a crease
+    double free_area = 0.0;       ///< up to so much patches may be joined across a crease
 };
 
 /// Grows patches over a component's triangles (that hang together by sides, ascending) that are in none, and adds them
