@@ -136,9 +136,9 @@ private:
 
     /// Light changes abruptly across a crease: in one chart the faces' texels would be mixed along it, and be seen as a
     /// bright line in a dark corner, or as teeth where it runs aslant. Of small faces gutters take more than that is
-    /// worth, and a slight bend changes light less (the garden: a fifth fewer charts, a tenth less page).
+    /// worth, and a slight bend changes light less.
     [[nodiscard]] bool may_join(std::uint32_t a, std::uint32_t b) const {
-        constexpr double slight = 0.3; // 1 − cosine: 45°
+        constexpr double slight = 0.25; // 1 − cosine: 41°, less than a bevel has
         constexpr double more = 6.0;
         const Joint& joint = m_own[a].joints.at(b);
         const double allowed = m_limits.free_area * (joint.bend < slight * joint.length ? more : 1.0);
