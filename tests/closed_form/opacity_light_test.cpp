@@ -41,7 +41,7 @@ Scene leafy_scene() {
 
 TEST(Opacity, AcceleratorsThreadsAndInstructionSetsGiveTheSameBits) {
     const Scene scene = leafy_scene();
-    Settings settings = test::small_settings(test::amount(64, 32), 16);
+    Settings settings = test::small_settings(test::amount(64, 20), 16);
     settings.mode = Mode::irradiance;
     settings.bounces = 1;
     settings.bounce_rays = 8;

@@ -24,7 +24,7 @@ Sky striped_sky() {
 TEST(Determinism, ThreadsInstructionSetsAndAcceleratorsGiveOneSetOfBytes) {
     const Scene scene = furnished_scene();
     for (const Sky& sky : {Sky{}, striped_sky()}) {
-        Settings settings = small_settings(amount(32, 24), 32);
+        Settings settings = small_settings(amount(32, 16), amount(32, 16));
         settings.mode = Mode::irradiance;
         const HostBake expected = bake_on_host(scene, sky, settings);
         ASSERT_GT(expected.maps.at(0).statistics.occluded_rays, 100U);
@@ -44,7 +44,7 @@ TEST(Determinism, TheTestScenesGiveOneSetOfBytesEach) {
     for (const auto& entry : std::filesystem::directory_iterator(VKBAKE_SOURCE_DIR "/scenes/test")) {
         SCOPED_TRACE(entry.path());
         const Scene scene = load_scene(entry.path());
-        Settings settings = small_settings(16);
+        Settings settings = small_settings(amount(16, 8));
         settings.threads = 1;
         const HostBake expected = bake_on_host(scene, {}, settings);
         for_every_target([&] { EXPECT_TRUE(same_light(expected, bake_on_host(scene, {}, settings))); });

@@ -127,7 +127,7 @@ TEST(Visibility, ContactsOcclude) {
             const glm::dmat3 linear = (turned ? odd_rotation() : glm::dmat3(1.0)) * size;
             Scene scene = scene_of(floor_of(0.5F), {}, linear);
             add_object(scene, "plate", floor_of(0.25F, 1e-4F), {}, linear);
-            Settings settings = small_settings(64, amount(64, 16));
+            Settings settings = small_settings(64, amount(64, 4));
             settings.layout = Layout::object;
             const HostBake bake = bake_on_host(scene, {}, settings);
             EXPECT_EQ(bake.maps.at(1).statistics.occluded_rays, 0U); // the plate looks up

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "amount.hpp"
 #include "atlas/make_atlas.hpp"
 #include "atlas/measure_uvs.hpp"
 #include "base/parallel.hpp"
@@ -74,7 +75,7 @@ Scene box_on_ground() {
 // Its faces get different light, which would run into each other along the edges that they share.
 TEST(GrownCharts, a_box_is_cut_along_its_edges) {
     const Scene scene = box_on_ground();
-    const Atlas atlas = expect_good_atlas(scene, grown(1024));
+    const Atlas atlas = expect_good_atlas(scene, grown(512));
     EXPECT_EQ(atlas.chart_count, 7U);
     const Surface surface = make_surface(scene);
     EXPECT_NEAR(figures_of(surface, atlas).stretch, 1.0, 1e-3);
@@ -117,7 +118,7 @@ TEST(GrownCharts, a_room_keeps_its_walls_whole) {
 
 // No flat map of the whole sphere stays within any bound, but a few charts do.
 TEST(GrownCharts, a_sphere_takes_few_charts_of_little_stretch) {
-    const Scene scene = sphere(20);
+    const Scene scene = sphere(amount(20, 10));
     const Surface surface = make_surface(scene);
     for (const double stretch : {1.003, 1.01, 1.05}) {
         Settings settings = grown(512);
