@@ -8,6 +8,7 @@
 
 #include "base/simd_targets.hpp"
 #include "bvh/each_ray.hpp"
+#include "bvh/lane_sets.hpp"
 #include "bvh/triangle_test.hpp"
 
 #undef HWY_TARGET_INCLUDE

@@ -7,6 +7,7 @@
 
 #include "base/simd_targets.hpp"
 #include "bvh/block_caster.hpp"
+#include "bvh/lane_sets.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bvh/hierarchy_caster.cpp"

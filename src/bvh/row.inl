@@ -16,11 +16,13 @@ struct RowMask {
     [[nodiscard]] HWY_INLINE unsigned bits() const {
         unsigned all = 0;
         for (std::size_t p = 0; p < part_count; ++p) {
-            alignas(8) std::uint8_t bytes[8] = {}; // NOLINT(modernize-avoid-c-arrays): as above
+            // NOLINTNEXTLINE(modernize-avoid-c-arrays,cppcoreguidelines-pro-type-member-init): as above; written below
+            alignas(8) std::uint8_t bytes[8];
             hn::StoreMaskBits(Lanes(), part[p], bytes);
-            std::uint16_t word = 0;
-            std::memcpy(&word, bytes, sizeof word); // the first lane is the lowest bit: little-endian machines alone
-            all |= static_cast<unsigned>(word) << (p * part_size);
+            all |= static_cast<unsigned>(bytes[0]) << (p * part_size);
+            if constexpr (part_size > 8) {
+                all |= static_cast<unsigned>(bytes[1]) << 8U;
+            }
         }
         return all;
     }
@@ -140,13 +142,24 @@ HWY_INLINE RowMask mask_from_bits(unsigned bits) {
 HWY_INLINE std::size_t compress(const std::array<std::uint32_t, row_size>& numbers, unsigned bits, std::uint32_t* to,
                                 std::uint32_t added = 0) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
-    const RowMask mask = mask_from_bits(bits);
-    std::size_t count = 0;
-    for (std::size_t p = 0; p < part_count; ++p) {
-        const auto values = hn::Load(unsigned_lanes, numbers.data() + p * part_size) + hn::Set(unsigned_lanes, added);
-        count += hn::CompressStore(values, hn::RebindMask(unsigned_lanes, mask.part[p]), unsigned_lanes, to + count);
+    const auto part = [&](std::size_t p) HWY_ATTR {
+        return hn::Load(unsigned_lanes, numbers.data() + p * part_size) + hn::Set(unsigned_lanes, added);
+    };
+    if constexpr (part_count == 1) {
+        const auto mask = hn::RebindMask(unsigned_lanes, mask_from_bits(bits).part[0]);
+        hn::CompressStore(part(0), mask, unsigned_lanes, to);
+    } else {
+        // Not by CompressStore: Highway 1.0.3 with GCC 12 copies its table of a kilobyte to the stack at every call.
+        for (std::size_t p = 0, count = 0; p < part_count; ++p) {
+            const unsigned lanes = bits >> (p * part_size) & ((1U << part_size) - 1);
+            const auto places = hn::PromoteTo(unsigned_lanes, hn::Load(hn::Rebind<std::uint8_t, Lanes>(),
+                                                                       lanes_in_front[lanes].data()));
+            hn::StoreU(hn::TableLookupLanes(part(p), hn::IndicesFromVec(unsigned_lanes, places)), unsigned_lanes,
+                       to + count);
+            count += static_cast<std::size_t>(std::popcount(lanes));
+        }
     }
-    return count;
+    return static_cast<std::size_t>(std::popcount(bits));
 }
 
 /// Each lane's own number.
@@ -202,21 +215,27 @@ HWY_INLINE RowPlaces unpack_places(const std::array<std::uint16_t, row_size>& pa
 }
 
 HWY_INLINE Row pick(const Row& row, const RowPlaces& places) {
-    if constexpr (part_count == 1) {
-        return {{hn::TableLookupLanes(row.part[0], hn::IndicesFromVec(Lanes(), places.part[0]))}};
-    } else {
-        alignas(64) std::array<float, row_size> from{};
-        alignas(64) std::array<std::uint32_t, row_size> at{};
-        alignas(64) std::array<float, row_size> picked{};
-        store(row, from);
-        for (std::size_t p = 0; p < part_count; ++p) {
-            hn::Store(places.part[p], hn::RebindToUnsigned<Lanes>(), at.data() + p * part_size);
+#if HWY_TARGET == HWY_SCALAR
+    alignas(64) std::array<float, row_size> from{};
+    store(row, from);
+    return each_part([&](std::size_t p) { return hn::Set(Lanes(), from[hn::GetLane(places.part[p])]); });
+#else
+    // From each of the row's vectors that lane which would be the one if it were there.
+    const hn::RebindToUnsigned<Lanes> unsigned_lanes;
+    const hn::RebindToSigned<Lanes> signed_lanes;
+    return each_part([&](std::size_t p) HWY_ATTR {
+        const auto place = places.part[p];
+        const auto within =
+            hn::IndicesFromVec(Lanes(), hn::And(place, hn::Set(unsigned_lanes, std::uint32_t{part_size - 1})));
+        Vector picked = hn::TableLookupLanes(row.part[0], within);
+        for (std::size_t q = 1; q < part_count; ++q) {
+            const auto before = hn::Set(signed_lanes, static_cast<std::int32_t>(q * part_size) - 1);
+            const auto there = hn::RebindMask(Lanes(), before < hn::BitCast(signed_lanes, place));
+            picked = hn::IfThenElse(there, hn::TableLookupLanes(row.part[q], within), picked);
         }
-        for (std::size_t lane = 0; lane < row_size; ++lane) {
-            picked[lane] = from[at[lane]];
-        }
-        return load(picked);
-    }
+        return picked;
+    });
+#endif
 }
 
 /// 16 times the same number.
