@@ -240,9 +240,9 @@ private:
     /// All triangles of a leaf, one after the other, against rays of a stratum that have one axis.
     void visit_leaf_together(std::uint32_t index, std::size_t s, unsigned lanes) {
         const Leaf& leaf = leaf_at(index);
-        const Axes& axes = axes_of(m_rays.course[s][static_cast<std::size_t>(std::countr_zero(lanes))]);
-        const Row sign = fill(axes.sign);
-        const LeafRays rays{load(m_block.origin[axes.x]),
+        const auto& [axes, turn] = axes_of(m_rays.course[s][static_cast<std::size_t>(std::countr_zero(lanes))]);
+        const Row sign = fill(turn);
+        const LeafRays<part_count> rays{load(m_block.origin[axes.x]),
                             load(m_block.origin[axes.y]),
                             sign,
                             sign * load(m_block.origin[axes.z]),
@@ -257,7 +257,7 @@ private:
         alignas(64) Rows y; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
         alignas(64) Rows z; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
         for (std::size_t vertex = 0; vertex < leaf.vertex_count; ++vertex) {
-            const LeafVertices at(rays, fill(leaf.vertices[axes.x][vertex]), fill(leaf.vertices[axes.y][vertex]),
+            const LeafVertices<part_count> at(rays, fill(leaf.vertices[axes.x][vertex]), fill(leaf.vertices[axes.y][vertex]),
                                   fill(leaf.vertices[axes.z][vertex]));
             store(at.x, x[vertex]);
             store(at.y, y[vertex]);
@@ -271,8 +271,8 @@ private:
             const std::size_t a = vertex_of(leaf, triangle, 0);
             const std::size_t b = vertex_of(leaf, triangle, 1);
             const std::size_t c = vertex_of(leaf, triangle, 2);
-            const LeafAnswer answer =
-                test_corners(rays, {{load(x[a]), load(y[a]), load(x[b]), load(y[b]), load(x[c]), load(y[c])},
+            const LeafAnswer<part_count> answer =
+                test_corners<part_count>(rays, {{load(x[a]), load(y[a]), load(x[b]), load(y[b]), load(x[c]), load(y[c])},
                                     load(z[a]),
                                     load(z[b]),
                                     load(z[c])});
@@ -294,11 +294,11 @@ private:
 
     // By a table: the axis that a ray follows cannot be foretold any better than what it meets.
     struct Axes {
-        std::uint32_t x, y, z;
+        LeafAxes leaf;
         float sign;
     };
     static constexpr std::array<Axes, 6> axes_of_courses{
-        {{1, 2, 0, 1.0F}, {2, 1, 0, -1.0F}, {2, 0, 1, 1.0F}, {0, 2, 1, -1.0F}, {0, 1, 2, 1.0F}, {1, 0, 2, -1.0F}}};
+        {{{1, 2, 0}, 1.0F}, {{2, 1, 0}, -1.0F}, {{2, 0, 1}, 1.0F}, {{0, 2, 1}, -1.0F}, {{0, 1, 2}, 1.0F}, {{1, 0, 2}, -1.0F}}};
     [[nodiscard]] static HWY_INLINE const Axes& axes_of(std::uint32_t course) {
         const std::uint32_t z = course >> course_axis_shift;
         return axes_of_courses[2 * z + (course >> z & 1U)];
@@ -315,11 +315,10 @@ private:
                 continue;
             }
             const Leaf& leaf = leaf_at(m_leaves[i]);
-            const LeafRays rays = leaf_ray(ray);
-            const LeafAnswer answer = test_corners(rays, corners_of(leaf, leaf_seen(leaf, rays, ray)));
+            const LeafBits met = ask_leaf(m_leaves[i], ray);
             const unsigned others = triangles_but(leaf, m_leaves[i], m_ignored[ray % 16]);
-            const auto hit = static_cast<unsigned>((answer.hit.bits() & others) != 0);
-            const unsigned doubt = answer.doubt.bits() & others;
+            const auto hit = static_cast<unsigned>((met.hit & others) != 0);
+            const unsigned doubt = met.doubt & others;
             m_rays.alive[ray / 16] = static_cast<RayBlock::LaneBits>(m_rays.alive[ray / 16] & ~(hit << (ray % 16)));
             m_leaves[doubtful] = m_leaves[i];
             m_leaf_rays[doubtful] = ray;
@@ -334,35 +333,31 @@ private:
         }
     }
 
-    [[nodiscard]] HWY_INLINE LeafVertices leaf_seen(const Leaf& leaf, const LeafRays& rays, std::uint32_t ray) const {
-        const Axes& axes = axes_of(m_rays.course[ray / 16][ray % 16]);
-        return {rays, load(leaf.vertices[axes.x]), load(leaf.vertices[axes.y]), load(leaf.vertices[axes.z])};
-    }
-
-    [[nodiscard]] HWY_INLINE LeafRays leaf_ray(std::uint32_t ray) const {
+    [[nodiscard]] HWY_INLINE LeafBits ask_leaf(std::uint32_t child, std::uint32_t ray) const {
         const std::size_t s = ray / 16;
         const std::size_t lane = ray % 16;
-        const Axes& axes = axes_of(m_rays.course[s][lane]);
-        return {fill(m_block.origin[axes.x][lane]),
-                fill(m_block.origin[axes.y][lane]),
-                fill(axes.sign),
-                fill(axes.sign * m_block.origin[axes.z][lane]),
-                fill(m_rays.turned_shear[s][0][lane]),
-                fill(m_rays.turned_shear[s][1][lane]),
-                m_rays.limited ? fill(m_rays.sure_depth[s][lane]) : fill(0.0F),
-                m_rays.limited ? fill(m_rays.futile_depth[s][lane]) : fill(0.0F),
-                m_rays.limited,
-                fill(m_rays.sure_sum)};
+        const auto& [axes, sign] = axes_of(m_rays.course[s][lane]);
+        const LeafRays<1> rays{fill<1>(m_block.origin[axes.x][lane]),
+                               fill<1>(m_block.origin[axes.y][lane]),
+                               fill<1>(sign),
+                               fill<1>(sign * m_block.origin[axes.z][lane]),
+                               fill<1>(m_rays.turned_shear[s][0][lane]),
+                               fill<1>(m_rays.turned_shear[s][1][lane]),
+                               fill<1>(m_rays.limited ? m_rays.sure_depth[s][lane] : 0.0F),
+                               fill<1>(m_rays.limited ? m_rays.futile_depth[s][lane] : 0.0F),
+                               m_rays.limited,
+                               fill<1>(m_rays.sure_sum)};
+        return test_leaf(rays, axes, leaf_at(child), triangles_of(child));
     }
 
     /// Whether a ray meets any of these triangles of a leaf, asked in double.
     [[nodiscard]] HWY_NOINLINE bool meets_any(std::uint32_t ray, const Leaf& leaf, unsigned triangles) const {
         const std::size_t s = ray / 16;
         const std::size_t lane = ray % 16;
-        const Axes& axes = axes_of(m_rays.course[s][lane]);
+        const auto& [axes, sign] = axes_of(m_rays.course[s][lane]);
         const ShearedRay sheared(ray_of(m_block, s, lane), static_cast<int>(axes.x), static_cast<int>(axes.y),
-                                 static_cast<int>(axes.z), axes.sign * m_rays.turned_shear[s][0][lane],
-                                 axes.sign * m_rays.turned_shear[s][1][lane]);
+                                 static_cast<int>(axes.z), sign * m_rays.turned_shear[s][0][lane],
+                                 sign * m_rays.turned_shear[s][1][lane]);
         for (; triangles != 0; triangles &= triangles - 1) {
             const auto triangle = static_cast<std::size_t>(std::countr_zero(triangles));
             if (test_watertight(sheared, triangle_in(leaf, triangle)).hit) {

@@ -63,33 +63,33 @@ struct Candidates {
 class LeafTest {
 public:
     HWY_INLINE explicit LeafTest(const Hierarchy& hierarchy, const PreparedRay& ray)
-        : m_ignored(place_of(hierarchy, ray.ignored_rank)), m_x(static_cast<std::size_t>(ray.x_axis)),
-          m_y(static_cast<std::size_t>(ray.y_axis)), m_z(static_cast<std::size_t>(ray.z_axis)) {
+        : m_ignored(place_of(hierarchy, ray.ignored_rank)),
+          m_axes{static_cast<std::uint32_t>(ray.x_axis), static_cast<std::uint32_t>(ray.y_axis),
+                 static_cast<std::uint32_t>(ray.z_axis)} {
         const float sign = ray.direction[ray.z_axis] < 0.0F ? -1.0F : 1.0F;
         const float depth = ray.max_distance * sign * ray.direction[ray.z_axis];
-        m_rays = {fill(ray.origin[ray.x_axis]),
-                  fill(ray.origin[ray.y_axis]),
-                  fill(sign),
-                  fill(sign * ray.origin[ray.z_axis]),
-                  fill(sign * ray.shear_x),
-                  fill(sign * ray.shear_y),
-                  fill(depth * nearly_one),
-                  fill(depth * just_over_one),
+        m_rays = {fill<1>(ray.origin[ray.x_axis]),
+                  fill<1>(ray.origin[ray.y_axis]),
+                  fill<1>(sign),
+                  fill<1>(sign * ray.origin[ray.z_axis]),
+                  fill<1>(sign * ray.shear_x),
+                  fill<1>(sign * ray.shear_y),
+                  fill<1>(depth * nearly_one),
+                  fill<1>(depth * just_over_one),
                   ray.max_distance < std::numeric_limits<float>::infinity(),
-                  fill(sure_sum_of(ray.extent))};
+                  fill<1>(sure_sum_of(ray.extent))};
     }
 
     HWY_INLINE Candidates operator()(const Leaf& leaf, std::uint32_t child) const {
-        const LeafVertices at(m_rays, load(leaf.vertices[m_x]), load(leaf.vertices[m_y]), load(leaf.vertices[m_z]));
-        const LeafAnswer answer = test_corners(m_rays, corners_of(leaf, at));
+        const LeafBits met = test_leaf(m_rays, m_axes, leaf, triangles_of(child));
         const unsigned others = triangles_but(leaf, child, m_ignored);
-        return {answer.doubt.bits() & others, (answer.hit.bits() & others) != 0};
+        return {met.doubt & others, (met.hit & others) != 0};
     }
 
 private:
     std::uint32_t m_ignored; ///< a place
-    std::size_t m_x, m_y, m_z;
-    LeafRays m_rays;
+    LeafAxes m_axes;
+    LeafRays<1> m_rays;
 };
 
 /// Calls visit(leaf, child) for the leaves whose boxes the ray passes until it returns true; returns whether it did.

@@ -4,22 +4,26 @@
 
 #include "bvh/edge_functions.inl"
 
-/// A ray, or sixteen, as the test wants them. z is the axis of the direction's largest component, x and y those of
-/// ShearedRay. z is turned so that the ray runs towards +z, which changes no bit but signs.
+/// A ray in all lanes, or sixteen rays, as the test wants them. z is the axis of the direction's largest component, x
+/// and y those of ShearedRay. z is turned so that the ray runs towards +z, which changes no bit but signs.
+template<std::size_t Parts>
 struct LeafRays {
-    Row origin_x, origin_y;
-    Row sign, turned_origin_z;          ///< ±1; sign · origin.z
-    Row turned_shear_x, turned_shear_y; ///< sign · slope
-    Row sure_depth, futile_depth;       ///< along z: below the first a hit is near enough, from the second on too far
-    bool limited = false;                       ///< false: there is no limit, and no depth is too far
-    Row sure_sum;                       ///< see test_corners and sure_sum_of
+    using Lane = Wide<Parts>;
+    Lane origin_x, origin_y;
+    Lane sign, turned_origin_z;          ///< ±1; sign · origin.z
+    Lane turned_shear_x, turned_shear_y; ///< sign · slope
+    Lane sure_depth, futile_depth;       ///< along z: below the first a hit is near enough, from the second on too far
+    bool limited = false;                ///< false: there is no limit, and no depth is too far
+    Lane sure_sum;                       ///< see test_corners and sure_sum_of
 };
 
 /// Vertices as the ray or rays see them: sheared, and how far along z.
+template<std::size_t Parts>
 struct LeafVertices {
-    Row z, x, y;
+    Wide<Parts> z, x, y;
 
-    HWY_INLINE LeafVertices(const LeafRays& ray, const Row& at_x, const Row& at_y, const Row& at_z)
+    HWY_INLINE LeafVertices(const LeafRays<Parts>& ray, const Wide<Parts>& at_x, const Wide<Parts>& at_y,
+                            const Wide<Parts>& at_z)
         : z(multiply_subtract(ray.sign, at_z, ray.turned_origin_z)), // exact product: one rounding
           x(shear(at_x - ray.origin_x, ray.turned_shear_x, z)), y(shear(at_y - ray.origin_y, ray.turned_shear_y, z)) {}
 };
@@ -27,25 +31,16 @@ struct LeafVertices {
 constexpr float surely_in_front = 0x1p-60F;
 
 /// A triangle's corners.
+template<std::size_t Parts>
 struct LeafCorners {
-    ShearedTriangle<Row> at;
-    Row az, bz, cz;
+    ShearedTriangle<Wide<Parts>> at;
+    Wide<Parts> az, bz, cz;
 };
 
-HWY_INLINE LeafCorners corners_of(const Leaf& leaf, const LeafVertices& vertices) {
-    const RowPlaces a = unpack_places<0>(leaf.corners);
-    const RowPlaces b = unpack_places<4>(leaf.corners);
-    const RowPlaces c = unpack_places<8>(leaf.corners);
-    return {{pick(vertices.x, a), pick(vertices.y, a), pick(vertices.x, b), pick(vertices.y, b), pick(vertices.x, c),
-             pick(vertices.y, c)},
-            pick(vertices.z, a),
-            pick(vertices.z, b),
-            pick(vertices.z, c)};
-}
-
+template<std::size_t Parts>
 struct LeafAnswer {
-    RowMask hit;   ///< met, for certain
-    RowMask doubt; ///< perhaps; those of `hit` too
+    WideMask<Parts> hit;   ///< met, for certain
+    WideMask<Parts> doubt; ///< perhaps; those of `hit` too
 };
 
 /// Why `hit` is never wrong. Float edge functions have no wrong sign, so strictly inside is inside in double too. There
@@ -53,24 +48,65 @@ struct LeafAnswer {
 /// could underflow, t is positive. Elsewhere the weighted sum tells its sign: with M the extent of PreparedRay, sheared
 /// coordinates are below 2·M and depths below M, so an edge function is off by at most 16·2⁻²⁴·M², the sum by
 /// 48·2⁻²⁴·M³ from these and by 72·2⁻²⁴·M³ from its own roundings: beyond 256·2⁻²⁴·M³ its sign is that of t.
-HWY_INLINE LeafAnswer test_corners(const LeafRays& ray, const LeafCorners& corner) {
-    const Row zero = fill(0.0F);
-    const EdgeFunctions<Row> edge(corner.at);
-    const Row least = min(edge.u, min(edge.v, edge.w));
-    const Row greatest = max(edge.u, max(edge.v, edge.w));
-    const Row nearest = min(corner.az, min(corner.bz, corner.cz));
-    const Row farthest = max(corner.az, max(corner.bz, corner.cz));
-    const Row sum = edge.u * corner.az + edge.v * corner.bz + edge.w * corner.cz;
+template<std::size_t Parts>
+HWY_INLINE LeafAnswer<Parts> test_corners(const LeafRays<Parts>& ray, const LeafCorners<Parts>& corner) {
+    using Lane = Wide<Parts>;
+    const Lane zero = fill<Parts>(0.0F);
+    const EdgeFunctions<Lane> edge(corner.at);
+    const Lane least = min(edge.u, min(edge.v, edge.w));
+    const Lane greatest = max(edge.u, max(edge.v, edge.w));
+    const Lane nearest = min(corner.az, min(corner.bz, corner.cz));
+    const Lane farthest = max(corner.az, max(corner.bz, corner.cz));
+    const Lane sum = edge.u * corner.az + edge.v * corner.bz + edge.w * corner.cz;
     // Positive where all signs are the same and none is 0; where it underflows there is doubt.
-    const Row alike = least * greatest;
-    const RowMask strictly = zero < alike;
-    const RowMask perhaps = zero <= alike;
-    const Row depth = turned_by_sign(sum, least + greatest);
-    const RowMask ahead = (fill(surely_in_front) < nearest) | (ray.sure_sum < depth);
-    LeafAnswer answer{strictly & ahead, perhaps & (zero < farthest) & (zero - ray.sure_sum <= depth)};
+    const Lane alike = least * greatest;
+    const auto strictly = zero < alike;
+    const auto perhaps = zero <= alike;
+    const Lane depth = turned_by_sign(sum, least + greatest);
+    const auto ahead = (fill<Parts>(surely_in_front) < nearest) | (ray.sure_sum < depth);
+    LeafAnswer<Parts> answer{strictly & ahead, perhaps & (zero < farthest) & (zero - ray.sure_sum <= depth)};
     if (ray.limited) {
         answer.hit = answer.hit & (farthest < ray.sure_depth);
         answer.doubt = answer.doubt & (nearest < ray.futile_depth);
     }
     return answer;
+}
+
+/// Along which axis of the scene each one of the ray lies.
+struct LeafAxes {
+    std::uint32_t x, y, z;
+};
+
+/// Triangles of a leaf, a bit each; see LeafAnswer.
+struct LeafBits {
+    unsigned hit = 0, doubt = 0;
+};
+
+/// One ray against so many triangles of a leaf, a vector of them at a time: more do not fit the registers of AVX2, and
+/// most leaves have fewer than nine.
+HWY_INLINE LeafBits test_leaf(const LeafRays<1>& ray, const LeafAxes& axes, const Leaf& leaf, std::size_t triangles) {
+    Row x;
+    Row y;
+    Row z;
+    for (std::size_t p = 0; p < part_count; ++p) {
+        const LeafVertices<1> at(ray, load_part(leaf.vertices[axes.x], p), load_part(leaf.vertices[axes.y], p),
+                                 load_part(leaf.vertices[axes.z], p));
+        x.part[p] = at.x.part[0];
+        y.part[p] = at.y.part[0];
+        z.part[p] = at.z.part[0];
+    }
+    LeafBits bits;
+    for (std::size_t p = 0; p < part_count && p * part_size < triangles; ++p) {
+        const Places a = unpack_places<0>(leaf.corners, p);
+        const Places b = unpack_places<4>(leaf.corners, p);
+        const Places c = unpack_places<8>(leaf.corners, p);
+        const LeafAnswer<1> answer =
+            test_corners<1>(ray, {{pick(x, a), pick(y, a), pick(x, b), pick(y, b), pick(x, c), pick(y, c)},
+                                  pick(z, a),
+                                  pick(z, b),
+                                  pick(z, c)});
+        bits.hit |= answer.hit.bits() << (p * part_size);
+        bits.doubt |= answer.doubt.bits() << (p * part_size);
+    }
+    return bits;
 }

@@ -7,15 +7,21 @@ constexpr std::size_t row_size = 16;
 constexpr std::size_t part_size = hn::MaxLanes(Lanes());
 constexpr std::size_t part_count = row_size / part_size;
 
-/// Lane masks, a mask a part.
-struct RowMask {
-    hn::Mask<Lanes>
-        part[part_count]; // NOLINT(modernize-avoid-c-arrays): std::array's operators have no target attribute
+/// Lanes side by side in some vectors.
+template<std::size_t Parts>
+struct Wide {
+    Vector part[Parts]; // NOLINT(modernize-avoid-c-arrays): std::array's operators have no target attribute
+};
+
+/// The same of lane masks.
+template<std::size_t Parts>
+struct WideMask {
+    hn::Mask<Lanes> part[Parts]; // NOLINT(modernize-avoid-c-arrays): as above
 
     /// Bit l: lane l.
     [[nodiscard]] HWY_INLINE unsigned bits() const {
         unsigned all = 0;
-        for (std::size_t p = 0; p < part_count; ++p) {
+        for (std::size_t p = 0; p < Parts; ++p) {
             // NOLINTNEXTLINE(modernize-avoid-c-arrays,cppcoreguidelines-pro-type-member-init): as above; written below
             alignas(8) std::uint8_t bytes[8];
             hn::StoreMaskBits(Lanes(), part[p], bytes);
@@ -28,23 +34,22 @@ struct RowMask {
     }
 };
 
-struct Row {
-    Vector part[part_count]; // NOLINT(modernize-avoid-c-arrays): as above
-};
+using Row = Wide<part_count>; ///< 16 lanes
+using RowMask = WideMask<part_count>;
 
-template<class Function>
-HWY_INLINE Row each_part(Function function) {
-    Row row;
-    for (std::size_t p = 0; p < part_count; ++p) {
+template<std::size_t Parts, class Function>
+HWY_INLINE Wide<Parts> each_part(Function function) {
+    Wide<Parts> row;
+    for (std::size_t p = 0; p < Parts; ++p) {
         row.part[p] = function(p);
     }
     return row;
 }
 
-template<class Function>
-HWY_INLINE RowMask each_mask(Function function) {
-    RowMask mask;
-    for (std::size_t p = 0; p < part_count; ++p) {
+template<std::size_t Parts, class Function>
+HWY_INLINE WideMask<Parts> each_mask(Function function) {
+    WideMask<Parts> mask;
+    for (std::size_t p = 0; p < Parts; ++p) {
         mask.part[p] = function(p);
     }
     return mask;
@@ -52,84 +57,106 @@ HWY_INLINE RowMask each_mask(Function function) {
 
 /// From 16 floats that are aligned to 64 bytes.
 HWY_INLINE Row load(const float* row) {
-    return each_part([=](std::size_t p) HWY_ATTR { return hn::Load(Lanes(), row + p * part_size); });
+    return each_part<part_count>([=](std::size_t p) HWY_ATTR { return hn::Load(Lanes(), row + p * part_size); });
 }
 HWY_INLINE Row load(const std::array<float, row_size>& row) { return load(row.data()); }
+HWY_INLINE Wide<1> load_part(const std::array<float, row_size>& row, std::size_t part) {
+    return {{hn::Load(Lanes(), row.data() + part * part_size)}};
+}
 HWY_INLINE void store(const Row& row, std::array<float, row_size>& to) {
     for (std::size_t p = 0; p < part_count; ++p) {
         hn::Store(row.part[p], Lanes(), to.data() + p * part_size);
     }
 }
-HWY_INLINE Row fill(float value) {
-    return each_part([=](std::size_t /*p*/) HWY_ATTR { return hn::Set(Lanes(), value); });
+template<std::size_t Parts = part_count>
+HWY_INLINE Wide<Parts> fill(float value) {
+    return each_part<Parts>([=](std::size_t /*p*/) HWY_ATTR { return hn::Set(Lanes(), value); });
 }
 
-HWY_INLINE Row operator+(const Row& a, const Row& b) {
-    return each_part([&](std::size_t p) HWY_ATTR { return a.part[p] + b.part[p]; });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> operator+(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return a.part[p] + b.part[p]; });
 }
-HWY_INLINE Row operator-(const Row& a, const Row& b) {
-    return each_part([&](std::size_t p) HWY_ATTR { return a.part[p] - b.part[p]; });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> operator-(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return a.part[p] - b.part[p]; });
 }
-HWY_INLINE Row operator*(const Row& a, const Row& b) {
-    return each_part([&](std::size_t p) HWY_ATTR { return a.part[p] * b.part[p]; });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> operator*(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return a.part[p] * b.part[p]; });
 }
-HWY_INLINE Row operator/(const Row& a, const Row& b) {
-    return each_part([&](std::size_t p) HWY_ATTR { return a.part[p] / b.part[p]; });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> operator/(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return a.part[p] / b.part[p]; });
 }
-HWY_INLINE Row min(const Row& a, const Row& b) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::Min(a.part[p], b.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> min(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::Min(a.part[p], b.part[p]); });
 }
-HWY_INLINE Row max(const Row& a, const Row& b) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::Max(a.part[p], b.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> max(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::Max(a.part[p], b.part[p]); });
 }
-HWY_INLINE Row abs(const Row& a) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::Abs(a.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> abs(const Wide<Parts>& a) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::Abs(a.part[p]); });
 }
 /// The magnitudes of one with the signs of the other.
-HWY_INLINE Row copy_sign(const Row& magnitude, const Row& sign) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::CopySign(magnitude.part[p], sign.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> copy_sign(const Wide<Parts>& magnitude, const Wide<Parts>& sign) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::CopySign(magnitude.part[p], sign.part[p]); });
 }
 
 /// Turned where the other one's sign bit is set.
-HWY_INLINE Row turned_by_sign(const Row& a, const Row& sign) {
-    return each_part([&](std::size_t p)
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> turned_by_sign(const Wide<Parts>& a, const Wide<Parts>& sign) {
+    return each_part<Parts>([&](std::size_t p)
                          HWY_ATTR { return hn::Xor(a.part[p], hn::And(sign.part[p], hn::SignBit(Lanes()))); });
 }
 
 /// a · b − c, rounded once where the machine can, else twice: for boxes and beams, whose pads cover either, and where
 /// the product is exact.
-HWY_INLINE Row multiply_subtract(const Row& a, const Row& b, const Row& c) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::MulSub(a.part[p], b.part[p], c.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> multiply_subtract(const Wide<Parts>& a, const Wide<Parts>& b, const Wide<Parts>& c) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::MulSub(a.part[p], b.part[p], c.part[p]); });
 }
 /// a · b + c, likewise.
-HWY_INLINE Row multiply_add(const Row& a, const Row& b, const Row& c) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::MulAdd(a.part[p], b.part[p], c.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> multiply_add(const Wide<Parts>& a, const Wide<Parts>& b, const Wide<Parts>& c) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::MulAdd(a.part[p], b.part[p], c.part[p]); });
 }
 /// c − a · b, likewise.
-HWY_INLINE Row negated_multiply_add(const Row& a, const Row& b, const Row& c) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::NegMulAdd(a.part[p], b.part[p], c.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> negated_multiply_add(const Wide<Parts>& a, const Wide<Parts>& b, const Wide<Parts>& c) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::NegMulAdd(a.part[p], b.part[p], c.part[p]); });
 }
 
-HWY_INLINE RowMask operator<(const Row& a, const Row& b) {
-    return each_mask([&](std::size_t p) HWY_ATTR { return hn::Lt(a.part[p], b.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE WideMask<Parts> operator<(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_mask<Parts>([&](std::size_t p) HWY_ATTR { return hn::Lt(a.part[p], b.part[p]); });
 }
-HWY_INLINE RowMask operator<=(const Row& a, const Row& b) {
-    return each_mask([&](std::size_t p) HWY_ATTR { return hn::Le(a.part[p], b.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE WideMask<Parts> operator<=(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_mask<Parts>([&](std::size_t p) HWY_ATTR { return hn::Le(a.part[p], b.part[p]); });
 }
-HWY_INLINE RowMask operator==(const Row& a, const Row& b) {
-    return each_mask([&](std::size_t p) HWY_ATTR { return hn::Eq(a.part[p], b.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE WideMask<Parts> operator==(const Wide<Parts>& a, const Wide<Parts>& b) {
+    return each_mask<Parts>([&](std::size_t p) HWY_ATTR { return hn::Eq(a.part[p], b.part[p]); });
 }
-HWY_INLINE RowMask operator&(const RowMask& a, const RowMask& b) {
-    return each_mask([&](std::size_t p) HWY_ATTR { return hn::And(a.part[p], b.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE WideMask<Parts> operator&(const WideMask<Parts>& a, const WideMask<Parts>& b) {
+    return each_mask<Parts>([&](std::size_t p) HWY_ATTR { return hn::And(a.part[p], b.part[p]); });
 }
-HWY_INLINE RowMask operator|(const RowMask& a, const RowMask& b) {
-    return each_mask([&](std::size_t p) HWY_ATTR { return hn::Or(a.part[p], b.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE WideMask<Parts> operator|(const WideMask<Parts>& a, const WideMask<Parts>& b) {
+    return each_mask<Parts>([&](std::size_t p) HWY_ATTR { return hn::Or(a.part[p], b.part[p]); });
 }
-HWY_INLINE Row select(const RowMask& mask, const Row& yes, const Row& no) {
-    return each_part([&](std::size_t p) HWY_ATTR { return hn::IfThenElse(mask.part[p], yes.part[p], no.part[p]); });
+template<std::size_t Parts>
+HWY_INLINE Wide<Parts> select(const WideMask<Parts>& mask, const Wide<Parts>& yes, const Wide<Parts>& no) {
+    return each_part<Parts>([&](std::size_t p) HWY_ATTR { return hn::IfThenElse(mask.part[p], yes.part[p], no.part[p]); });
 }
 HWY_INLINE RowMask mask_from_bits(unsigned bits) {
-    return each_mask([=](std::size_t p) HWY_ATTR {
+    return each_mask<part_count>([=](std::size_t p) HWY_ATTR {
         const unsigned part = bits >> (p * part_size);
         alignas(8) const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(part), // NOLINT(modernize-avoid-c-arrays)
                                                   static_cast<std::uint8_t>(part >> 8U)};
@@ -169,7 +196,7 @@ alignas(64) constexpr std::array<std::uint32_t, row_size> lane_numbers{0, 1, 2, 
 /// The lanes whose number is not this one.
 HWY_INLINE RowMask unlike(const std::array<std::uint32_t, row_size>& numbers, std::uint32_t number) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
-    return each_mask([&](std::size_t p) HWY_ATTR {
+    return each_mask<part_count>([&](std::size_t p) HWY_ATTR {
         return hn::RebindMask(Lanes(), hn::Load(unsigned_lanes, numbers.data() + p * part_size) !=
                                            hn::Set(unsigned_lanes, number));
     });
@@ -179,7 +206,7 @@ HWY_INLINE RowMask unlike(const std::array<std::uint32_t, row_size>& numbers, st
 HWY_INLINE RowMask differ(const std::array<std::uint32_t, row_size>& numbers, std::uint32_t number,
                           std::uint32_t mask) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
-    return each_mask([&](std::size_t p) HWY_ATTR {
+    return each_mask<part_count>([&](std::size_t p) HWY_ATTR {
         const auto row = hn::Load(unsigned_lanes, numbers.data() + p * part_size);
         return hn::RebindMask(Lanes(),
                               hn::And(row, hn::Set(unsigned_lanes, mask)) != hn::Set(unsigned_lanes, number & mask));
@@ -189,52 +216,43 @@ HWY_INLINE RowMask differ(const std::array<std::uint32_t, row_size>& numbers, st
 /// Bit l: the highest bit of lane l's number.
 HWY_INLINE unsigned top_bits(const std::array<std::uint32_t, row_size>& numbers) {
     const hn::RebindToSigned<Lanes> signed_lanes;
-    const RowMask negative = each_mask([&](std::size_t p) HWY_ATTR {
+    const RowMask negative = each_mask<part_count>([&](std::size_t p) HWY_ATTR {
         const auto row = hn::Load(hn::RebindToUnsigned<Lanes>(), numbers.data() + p * part_size);
         return hn::RebindMask(Lanes(), hn::MaskFromVec(hn::BroadcastSignBit(hn::BitCast(signed_lanes, row))));
     });
     return negative.bits();
 }
 
-/// For each lane a lane of another row.
-struct RowPlaces {
-    hn::Vec<hn::RebindToUnsigned<Lanes>> part[part_count]; // NOLINT(modernize-avoid-c-arrays): as above
-};
+/// For each lane of a part a lane of a row.
+using Places = hn::Vec<hn::RebindToUnsigned<Lanes>>;
 
-/// The places that four bits each hold: those that begin at bit `Shift`.
+/// The places that four bits each hold: those that begin at bit `Shift`, of one part.
 template<int Shift>
-HWY_INLINE RowPlaces unpack_places(const std::array<std::uint16_t, row_size>& packed) {
+HWY_INLINE Places unpack_places(const std::array<std::uint16_t, row_size>& packed, std::size_t part) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
     const hn::Rebind<std::uint16_t, Lanes> short_lanes;
-    RowPlaces places;
-    for (std::size_t p = 0; p < part_count; ++p) {
-        const auto row = hn::PromoteTo(unsigned_lanes, hn::Load(short_lanes, packed.data() + p * part_size));
-        places.part[p] = hn::And(hn::ShiftRight<Shift>(row), hn::Set(unsigned_lanes, 15U));
-    }
-    return places;
+    const auto row = hn::PromoteTo(unsigned_lanes, hn::Load(short_lanes, packed.data() + part * part_size));
+    return hn::And(hn::ShiftRight<Shift>(row), hn::Set(unsigned_lanes, 15U));
 }
 
-HWY_INLINE Row pick(const Row& row, const RowPlaces& places) {
+HWY_INLINE Wide<1> pick(const Row& row, const Places& places) {
 #if HWY_TARGET == HWY_SCALAR
     alignas(64) std::array<float, row_size> from{};
     store(row, from);
-    return each_part([&](std::size_t p) { return hn::Set(Lanes(), from[hn::GetLane(places.part[p])]); });
+    return {{hn::Set(Lanes(), from[hn::GetLane(places)])}};
 #else
     // From each of the row's vectors that lane which would be the one if it were there.
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
     const hn::RebindToSigned<Lanes> signed_lanes;
-    return each_part([&](std::size_t p) HWY_ATTR {
-        const auto place = places.part[p];
-        const auto within =
-            hn::IndicesFromVec(Lanes(), hn::And(place, hn::Set(unsigned_lanes, std::uint32_t{part_size - 1})));
-        Vector picked = hn::TableLookupLanes(row.part[0], within);
-        for (std::size_t q = 1; q < part_count; ++q) {
-            const auto before = hn::Set(signed_lanes, static_cast<std::int32_t>(q * part_size) - 1);
-            const auto there = hn::RebindMask(Lanes(), before < hn::BitCast(signed_lanes, place));
-            picked = hn::IfThenElse(there, hn::TableLookupLanes(row.part[q], within), picked);
-        }
-        return picked;
-    });
+    const auto within =
+        hn::IndicesFromVec(Lanes(), hn::And(places, hn::Set(unsigned_lanes, std::uint32_t{part_size - 1})));
+    Vector picked = hn::TableLookupLanes(row.part[0], within);
+    for (std::size_t p = 1; p < part_count; ++p) {
+        const auto before = hn::Set(signed_lanes, static_cast<std::int32_t>(p * part_size) - 1);
+        const auto there = hn::RebindMask(Lanes(), before < hn::BitCast(signed_lanes, places));
+        picked = hn::IfThenElse(there, hn::TableLookupLanes(row.part[p], within), picked);
+    }
+    return {{picked}};
 #endif
 }
 
@@ -281,7 +299,7 @@ HWY_INLINE Row reduce_rows(const std::array<std::array<float, row_size>, row_siz
         }
     }
 #endif
-    return each_part([&](std::size_t p) HWY_ATTR { return level[p]; });
+    return each_part<part_count>([&](std::size_t p) HWY_ATTR { return level[p]; });
 }
 HWY_INLINE Row least_of_rows(const std::array<std::array<float, row_size>, row_size>& rows) {
     return reduce_rows(rows, [](Vector a, Vector b) HWY_ATTR { return hn::Min(a, b); });
