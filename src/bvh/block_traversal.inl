@@ -153,8 +153,9 @@ private:
         while (m_ray_count >= enough) {
             const std::size_t count = std::min(m_ray_count, ray_batch);
             m_ray_count -= count;
-            std::copy_n(m_scratch.nodes.begin() + static_cast<std::ptrdiff_t>(m_ray_count), count, nodes.begin());
-            std::copy_n(m_scratch.rays.begin() + static_cast<std::ptrdiff_t>(m_ray_count), count, rays.begin());
+            // All of them, however few count: a copy whose size is known is four moves.
+            std::memcpy(nodes.data(), &m_scratch.nodes[m_ray_count], sizeof nodes);
+            std::memcpy(rays.data(), &m_scratch.rays[m_ray_count], sizeof rays);
             for (std::size_t i = 0; i < count; ++i) {
                 fetch(&m_hierarchy.nodes[nodes[std::min(i + 3, count - 1)]], sizeof(WideNode));
                 if (is_alive(rays[i])) {
@@ -167,17 +168,20 @@ private:
         }
     }
 
+    // By a table: where rays run cannot be foretold either. A ray that runs downwards enters a box by its high plane.
+    static constexpr std::array<std::array<std::uint8_t, 4>, 8> near_rows_of_courses{
+        {{0, 1, 2}, {3, 1, 2}, {0, 4, 2}, {3, 4, 2}, {0, 1, 5}, {3, 1, 5}, {0, 4, 5}, {3, 4, 5}}};
+
     HWY_INLINE void visit_node(std::uint32_t index, std::uint32_t ray) {
         const WideNode& node = m_hierarchy.nodes[index];
         const std::size_t s = ray / 16;
         const std::size_t lane = ray % 16;
-        const std::uint32_t course = m_rays.course[s][lane];
+        const auto& near_rows = near_rows_of_courses[m_rays.course[s][lane] & 7U];
         Row entry = fill(0.0F);
         Row exit = fill(m_block.max_distance);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const bool negative = (course >> axis & 1U) != 0;
-            const std::size_t near_row = negative ? axis + 3 : axis;
-            const std::size_t far_row = negative ? axis : axis + 3;
+            const std::size_t near_row = near_rows[axis];
+            const std::size_t far_row = 2 * axis + 3 - near_row;
             const Row inverse = fill(m_rays.inverse[s][axis][lane]);
             entry = max(
                 entry, multiply_subtract(load(node.planes[near_row]), inverse, fill(m_rays.offset[s][near_row][lane])));
