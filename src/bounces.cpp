@@ -135,9 +135,9 @@ SentLight light_from_maps(const Scene& scene, const std::function<const Geometry
     SentLight sent{.pages = {}, .two_sided = two_sided_parts(scene, bake.surface)};
     const std::vector<ColorTexture> textures = decode_textures(scene, bake.settings.alpha);
     for (std::size_t page = 0; page < bake.light_maps.size(); ++page) {
-        sent.pages.push_back(
-            leaving(bake.light_maps[page].image,
-                    make_surface_colors(scene, bake.surface, draw(page), textures, bake.settings.alpha), true));
+        SurfaceColors colors = make_surface_colors(scene, bake.surface, draw(page), textures, bake.settings.alpha);
+        sent.pages.push_back(leaving(bake.light_maps[page].image, colors, true));
+        sent.pages[page].sought = std::move(colors.emission);
     }
     return sent;
 }
@@ -149,10 +149,11 @@ void add_directional(const Tracer& tracer, const SentLight& sent,
     if (!sent.pages.empty()) {
         light.emplace(bake.surface, bake.atlas, sent.pages, sent.two_sided);
     }
+    const std::optional<EmitterSet> emitters = light ? tracer.find_emitters(*light) : std::nullopt;
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
         DirectionalMap map = clock.run("directional", [&] {
-            return trace_directional(tracer, draw(page), light ? &*light : nullptr,
+            return trace_directional(tracer, draw(page), light ? &*light : nullptr, emitters ? &*emitters : nullptr,
                                      clock.trace_progress("directional"));
         });
         LightMap& of = bake.light_maps[page];

@@ -247,22 +247,22 @@ private:
         const auto& [axes, turn] = axes_of(m_rays.course[s][static_cast<std::size_t>(std::countr_zero(lanes))]);
         const Row sign = fill(turn);
         const LeafRays<part_count> rays{load(m_block.origin[axes.x]),
-                            load(m_block.origin[axes.y]),
-                            sign,
-                            sign * load(m_block.origin[axes.z]),
-                            load(m_rays.turned_shear[s][0]),
-                            load(m_rays.turned_shear[s][1]),
-                            load(m_rays.sure_depth[s]),
-                            load(m_rays.futile_depth[s]),
-                            m_rays.limited,
-                            fill(m_rays.sure_sum)};
+                                        load(m_block.origin[axes.y]),
+                                        sign,
+                                        sign * load(m_block.origin[axes.z]),
+                                        load(m_rays.turned_shear[s][0]),
+                                        load(m_rays.turned_shear[s][1]),
+                                        load(m_rays.sure_depth[s]),
+                                        load(m_rays.futile_depth[s]),
+                                        m_rays.limited,
+                                        fill(m_rays.sure_sum)};
         using Rows = std::array<RayBlock::LaneRow, leaf_vertices>;
         alignas(64) Rows x; // NOLINT(cppcoreguidelines-pro-type-member-init): zeroing costs more than the test
         alignas(64) Rows y; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
         alignas(64) Rows z; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
         for (std::size_t vertex = 0; vertex < leaf.vertex_count; ++vertex) {
-            const LeafVertices<part_count> at(rays, fill(leaf.vertices[axes.x][vertex]), fill(leaf.vertices[axes.y][vertex]),
-                                  fill(leaf.vertices[axes.z][vertex]));
+            const LeafVertices<part_count> at(rays, fill(leaf.vertices[axes.x][vertex]),
+                                              fill(leaf.vertices[axes.y][vertex]), fill(leaf.vertices[axes.z][vertex]));
             store(at.x, x[vertex]);
             store(at.y, y[vertex]);
             store(at.z, z[vertex]);
@@ -275,11 +275,11 @@ private:
             const std::size_t a = vertex_of(leaf, triangle, 0);
             const std::size_t b = vertex_of(leaf, triangle, 1);
             const std::size_t c = vertex_of(leaf, triangle, 2);
-            const LeafAnswer<part_count> answer =
-                test_corners<part_count>(rays, {{load(x[a]), load(y[a]), load(x[b]), load(y[b]), load(x[c]), load(y[c])},
-                                    load(z[a]),
-                                    load(z[b]),
-                                    load(z[c])});
+            const LeafAnswer<part_count> answer = test_corners<part_count>(
+                rays, {{load(x[a]), load(y[a]), load(x[b]), load(y[b]), load(x[c]), load(y[c])},
+                       load(z[a]),
+                       load(z[b]),
+                       load(z[c])});
             const RowMask others = unlike(m_ignored, leaf.first_place + static_cast<std::uint32_t>(triangle));
             left &= ~(answer.hit & others).bits();
             doubts[triangle] = (answer.doubt & others).bits();
@@ -301,8 +301,12 @@ private:
         LeafAxes leaf;
         float sign;
     };
-    static constexpr std::array<Axes, 6> axes_of_courses{
-        {{{1, 2, 0}, 1.0F}, {{2, 1, 0}, -1.0F}, {{2, 0, 1}, 1.0F}, {{0, 2, 1}, -1.0F}, {{0, 1, 2}, 1.0F}, {{1, 0, 2}, -1.0F}}};
+    static constexpr std::array<Axes, 6> axes_of_courses{{{{1, 2, 0}, 1.0F},
+                                                          {{2, 1, 0}, -1.0F},
+                                                          {{2, 0, 1}, 1.0F},
+                                                          {{0, 2, 1}, -1.0F},
+                                                          {{0, 1, 2}, 1.0F},
+                                                          {{1, 0, 2}, -1.0F}}};
     [[nodiscard]] static HWY_INLINE const Axes& axes_of(std::uint32_t course) {
         const std::uint32_t z = course >> course_axis_shift;
         return axes_of_courses[2 * z + (course >> z & 1U)];

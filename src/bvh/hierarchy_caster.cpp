@@ -63,9 +63,9 @@ struct Candidates {
 class LeafTest {
 public:
     HWY_INLINE explicit LeafTest(const Hierarchy& hierarchy, const PreparedRay& ray)
-        : m_ignored(place_of(hierarchy, ray.ignored_rank)),
-          m_axes{static_cast<std::uint32_t>(ray.x_axis), static_cast<std::uint32_t>(ray.y_axis),
-                 static_cast<std::uint32_t>(ray.z_axis)} {
+        : m_ignored(place_of(hierarchy, ray.ignored_rank)), m_axes{static_cast<std::uint32_t>(ray.x_axis),
+                                                                   static_cast<std::uint32_t>(ray.y_axis),
+                                                                   static_cast<std::uint32_t>(ray.z_axis)} {
         const float sign = ray.direction[ray.z_axis] < 0.0F ? -1.0F : 1.0F;
         const float depth = ray.max_distance * sign * ray.direction[ray.z_axis];
         m_rays = {fill<1>(ray.origin[ray.x_axis]),

@@ -36,7 +36,7 @@ std::uint64_t ray_sum(const DirectionalWorkers& workers) {
 } // namespace
 
 DirectionalMap trace_directional(const Tracer& tracer, const GeometryImage& geometry, const SurfaceLight* light,
-                                 const TraceProgress& progress) {
+                                 const EmitterSet* emitters, const TraceProgress& progress) {
     const DefaultFloatState float_state;
     const auto start = std::chrono::steady_clock::now();
     const TracedScene scene = tracer.scene();
@@ -44,9 +44,7 @@ DirectionalMap trace_directional(const Tracer& tracer, const GeometryImage& geom
     const RayPlan plan(directional_settings(*scene.settings), std::numeric_limits<float>::infinity());
     DirectionalWorkers workers(worker_count(scene.settings->threads));
     for (auto& worker : workers) {
-        worker = std::make_unique<DirectionalTracer>(
-            *scene.surface, geometry, plan, IncidentLight(*scene.sky, scene.intensity, light, *scene.visibility),
-            LightSources{.lamps = scene.lamps, .peaks = scene.peaks}, *scene.visibility, scene.intensity);
+        worker = std::make_unique<DirectionalTracer>(scene, geometry, plan, light, emitters);
     }
     DirectionalMap map;
     map.coefficients.assign(directional_coefficients,

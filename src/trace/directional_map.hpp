@@ -18,9 +18,11 @@ struct DirectionalMap {
 };
 
 /// LightMap::directional of what the tracer's light map of the page has: sky, its peaks and lamps, and `light`, which
-/// leaves surfaces towards all bounces together; null where there are none. Settings::directional_rays a texel. The
+/// leaves surfaces towards all bounces together; null where there are none. `emitters`: of that light, to be sought;
+/// null where there are none. Settings::directional_rays a texel. The
 /// bits depend on nothing but the arguments. Throws Error{interrupted} where `progress` returned false.
 [[nodiscard]] DirectionalMap trace_directional(const Tracer& tracer, const GeometryImage& geometry,
-                                               const SurfaceLight* light, const TraceProgress& progress = {});
+                                               const SurfaceLight* light, const EmitterSet* emitters,
+                                               const TraceProgress& progress = {});
 
 } // namespace vkbake

@@ -3,36 +3,24 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace vkbake {
 
-DirectionalTracer::DirectionalTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan,
-                                     IncidentLight incident, const LightSources& sources, const Visibility& visibility,
-                                     double intensity)
-    : m_plan(&plan), m_intensity(intensity), m_incident(std::move(incident)), m_rays(surface, geometry, plan) {
-    if (sources.lamps != nullptr) {
-        m_lamps.emplace(*sources.lamps, visibility);
-        m_lamps->set_plan(plan);
-    }
-    if (sources.peaks != nullptr) {
-        m_peaks.emplace(*sources.peaks, visibility);
-        m_peaks->set_plan(plan);
-    }
-}
+DirectionalTracer::DirectionalTracer(const TracedScene& scene, const GeometryImage& geometry, const RayPlan& plan,
+                                     const SurfaceLight* light, const EmitterSet* emitters)
+    : m_plan(&plan), m_intensity(scene.intensity), m_incident(*scene.sky, scene.intensity, light, *scene.visibility),
+      m_rays(*scene.surface, geometry, plan), m_sought(scene, plan, emitters, RaySpread::hemisphere) {}
 
 glm::dvec3 DirectionalTracer::coefficient(std::size_t i, std::size_t lane) const {
     const double share = std::numbers::pi / m_plan->samples();
-    return share * (2.0 * m_around.sum(i, lane) + m_intensity * m_sought.sum(i, lane));
+    return share * (2.0 * m_around.sum(i, lane) + m_intensity * m_sent.sum(i, lane));
 }
 
-std::uint64_t DirectionalTracer::rays() const {
-    return m_ray_count + (m_lamps ? m_lamps->rays() : 0) + (m_peaks ? m_peaks->rays() : 0);
-}
+std::uint64_t DirectionalTracer::rays() const { return m_ray_count + m_sought.rays(); }
 
 void DirectionalTracer::sum_up(const TexelTile& tile) {
     m_around.clear();
-    m_sought.clear();
+    m_sent.clear();
     m_rays.begin(tile);
     for (std::size_t number = 0; number < m_plan->block_count(); ++number) {
         m_block = m_rays.make(number);
@@ -40,14 +28,9 @@ void DirectionalTracer::sum_up(const TexelTile& tile) {
         for (const RayBlock::LaneBits active : m_block.active) {
             m_ray_count += static_cast<std::uint64_t>(std::popcount(active));
         }
-        m_around.add(m_block, m_incident.along(m_block));
+        m_around.add(m_block, m_incident.along(m_block, m_rays.lanes(), m_sought.emitters()));
     }
-    if (m_peaks) {
-        m_peaks->add_harmonics(m_rays.lanes(), Horizon::surface, m_sought);
-    }
-    if (m_lamps) {
-        m_lamps->add_harmonics(m_rays.lanes(), Horizon::surface, m_sought);
-    }
+    m_sought.add(m_rays.lanes(), m_around, m_sent);
 }
 
 // A direction that is below the geometric plane before is so after, farther down its meridian.

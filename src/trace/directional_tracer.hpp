@@ -3,16 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include <glm/vec3.hpp>
 
 #include "trace/incident_light.hpp"
-#include "trace/lamp_tracer.hpp"
 #include "trace/lane_harmonics.hpp"
-#include "trace/peak_tracer.hpp"
+#include "trace/sought_light.hpp"
 #include "trace/tile_rays.hpp"
-#include "trace/tile_tracer.hpp"
 
 namespace vkbake {
 
@@ -25,10 +22,10 @@ namespace vkbake {
 /// the squared radius 1 − z² of the disc for what is uniform).
 class DirectionalTracer {
 public:
-    /// All must outlive it. `plan`: of sampler cosine. `incident` is taken over.
-    DirectionalTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan,
-                      IncidentLight incident, const LightSources& sources, const Visibility& visibility,
-                      double intensity);
+    /// All must outlive it. `plan`: of sampler cosine. `light`: null where surfaces send nothing. `emitters`: of it, to
+    /// be sought; null where there are none.
+    DirectionalTracer(const TracedScene& scene, const GeometryImage& geometry, const RayPlan& plan,
+                      const SurfaceLight* light, const EmitterSet* emitters);
 
     /// Calls store(texel, lane) for each texel of the tile, for which coefficient(i, lane) then holds.
     template<typename Store>
@@ -40,7 +37,7 @@ public:
     }
     /// ∫ L Y of the hemisphere.
     [[nodiscard]] glm::dvec3 coefficient(std::size_t i, std::size_t lane) const;
-    [[nodiscard]] std::uint64_t rays() const; ///< traced so far, those to lamps and peaks with them
+    [[nodiscard]] std::uint64_t rays() const; ///< traced so far, those that seek light with them
 
 private:
     void sum_up(const TexelTile& tile);
@@ -52,10 +49,9 @@ private:
     IncidentLight m_incident;
     TileRays m_rays;
     RayBlock m_block;
-    std::optional<LampTracer> m_lamps;
-    std::optional<PeakTracer> m_peaks;
+    SoughtLight m_sought;
     LaneHarmonics m_around{directional_coefficients};
-    LaneHarmonics m_sought{directional_coefficients}; ///< of lamps and peaks
+    LaneHarmonics m_sent{directional_coefficients}; ///< by lamps and peaks
     std::uint64_t m_ray_count = 0;
 };
 

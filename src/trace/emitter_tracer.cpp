@@ -21,34 +21,61 @@ glm::dvec3 at_lane(const TileLanes::Rows& rows, std::size_t lane) {
     return {static_cast<double>(rows[0][lane]), static_cast<double>(rows[1][lane]), static_cast<double>(rows[2][lane])};
 }
 
-Receiver receiver_of(const TileLanes& lanes, std::size_t lane) {
-    return {at_lane(lanes.origin, lane), at_lane(lanes.normal, lane)};
+/// Over solid angle, where rays go at all.
+double density_by_chance(RaySpread spread, double cosine) {
+    switch (spread) {
+    case RaySpread::cosine:
+        return cosine / std::numbers::pi;
+    case RaySpread::hemisphere:
+        return 0.5 / std::numbers::pi;
+    case RaySpread::sphere:
+        break;
+    }
+    return 0.25 / std::numbers::pi;
 }
 
 /// Densities over solid angle.
 struct Densities {
-    double by_cosine;
+    double by_chance;
     double by_choice;
 
     /// `density`: of the choice, over area, seen from a distance² at a cosine.
-    Densities(double cosine, double density, double square, double cosine_sent)
-        : by_cosine(cosine / std::numbers::pi), by_choice(density * square / cosine_sent) {}
+    Densities(double chance, double density, double square, double cosine_sent)
+        : by_chance(chance), by_choice(density * square / cosine_sent) {}
 
-    [[nodiscard]] double squares() const { return by_cosine * by_cosine + by_choice * by_choice; }
-    [[nodiscard]] double weight_by_cosine() const { return by_cosine * by_cosine / squares(); }
-    /// Times the radiance, in the unit of cosine-weighted rays.
-    [[nodiscard]] double share_by_choice() const { return by_cosine * by_choice / squares(); }
+    [[nodiscard]] double squares() const { return by_chance * by_chance + by_choice * by_choice; }
+    [[nodiscard]] double weight_by_chance() const { return by_chance * by_chance / squares(); }
+    /// Times the radiance, in the unit of the rays by chance.
+    [[nodiscard]] double share_by_choice() const { return by_chance * by_choice / squares(); }
 };
 
 } // namespace
 
-EmitterTracer::EmitterTracer(const EmitterSet& emitters, const RayPlan& plan, const Visibility& visibility)
-    : m_emitters(&emitters), m_strata(&std::get<CosineStrata>(plan.directions())), m_visibility(&visibility),
-      m_scratch(visibility.make_scratch()) {
+EmitterTracer::EmitterTracer(const EmitterSet& emitters, const RayPlan& plan, RaySpread spread,
+                             const Visibility& visibility)
+    : m_emitters(&emitters), m_spread(spread), m_strata(&std::get<CosineStrata>(plan.directions())),
+      m_visibility(&visibility), m_scratch(visibility.make_scratch()) {
     m_block.max_distance = 1.0F; // directions are as long as the way to the emitter
 }
 
+// Evenly spread rays count what comes from low as much as what comes from high: so should the choice.
+Receiver EmitterTracer::receiver_of(const TileLanes& lanes, std::size_t lane) const {
+    return {at_lane(lanes.origin, lane), m_spread == RaySpread::cosine ? at_lane(lanes.normal, lane) : glm::dvec3(0.0)};
+}
+
 void EmitterTracer::add(const TileLanes& lanes, std::array<glm::dvec3, RayBlock::lanes>& sums) {
+    trace(lanes, [&](std::size_t /*stratum*/, std::size_t lane, const glm::dvec3& light) { sums[lane] += light; });
+}
+
+void EmitterTracer::add_harmonics(const TileLanes& lanes, LaneHarmonics& sums) {
+    trace(lanes, [&](std::size_t stratum, std::size_t lane, const glm::dvec3& light) {
+        const auto& [x, y, z] = m_block.direction[stratum];
+        sums.add(lane, glm::normalize(glm::vec3(x[lane], y[lane], z[lane])), light);
+    });
+}
+
+template<class Arrive>
+void EmitterTracer::trace(const TileLanes& lanes, const Arrive& arrive) {
     constexpr std::uint64_t of_emitters = 0x656D6974;
     m_block.origin = lanes.origin;
     m_block.ignored_triangle = lanes.triangle;
@@ -67,7 +94,7 @@ void EmitterTracer::add(const TileLanes& lanes, std::array<glm::dvec3, RayBlock:
             for (unsigned left = m_block.active[stratum] & ~static_cast<unsigned>(blocked[stratum]); left != 0;
                  left &= left - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-                sums[lane] += glm::dvec3(m_scratch.transmittance(stratum, lane)) * m_light[stratum][lane];
+                arrive(stratum, lane, glm::dvec3(m_scratch.transmittance(stratum, lane)) * m_light[stratum][lane]);
             }
         }
     }
@@ -88,15 +115,16 @@ void EmitterTracer::aim(const TileLanes& lanes) {
             const glm::dvec3 way = sample->point - receiver.place;
             const double square = glm::dot(way, way);
             const double distance = std::sqrt(square);
-            const double cosine = glm::dot(receiver.normal, way) / distance;
+            const double cosine = glm::dot(at_lane(lanes.normal, lane), way) / distance;
             const double sent = -glm::dot(sample->normal, way) / distance;
             const double cosine_sent = sample->two_sided ? std::abs(sent) : sent;
-            const bool above = glm::dot(at_lane(lanes.geometric_normal, lane), way) > 0.0;
-            if (!(distance > emitter_gap && cosine > 0.0 && cosine_sent > 0.0 && above)) {
+            const bool above = m_spread == RaySpread::sphere ||
+                               (cosine > 0.0 && glm::dot(at_lane(lanes.geometric_normal, lane), way) > 0.0);
+            if (!(distance > emitter_gap && cosine_sent > 0.0 && above)) {
                 continue;
             }
             active |= 1U << lane;
-            const Densities densities(cosine, sample->density, square, cosine_sent);
+            const Densities densities(density_by_chance(m_spread, cosine), sample->density, square, cosine_sent);
             m_light[stratum][lane] = densities.share_by_choice() * glm::dvec3(sample->radiance);
             const glm::vec3 ray(way * (1.0 - emitter_gap / distance));
             x[lane] = ray.x;
@@ -107,17 +135,23 @@ void EmitterTracer::aim(const TileLanes& lanes) {
     }
 }
 
-double EmitterTracer::weight(const TileLanes& lanes, std::size_t lane, const Ray& ray, const Hit& hit) const {
-    const Receiver receiver = receiver_of(lanes, lane);
-    const double density = m_emitters->density(receiver, hit.triangle);
+glm::vec3 EmitterTracer::arriving(const SurfaceLight& light, const TileLanes& lanes, std::size_t lane, const Ray& ray,
+                                  const Hit& hit) const {
+    const glm::vec3 all = light.along(ray, hit);
+    const glm::vec3 sought = light.sought_along(ray, hit);
+    if (sought == glm::vec3(0.0F)) {
+        return all;
+    }
+    const double density = m_emitters->density(receiver_of(lanes, lane), hit.triangle);
     if (density == 0.0) {
-        return 1.0;
+        return all;
     }
     const glm::dvec3 direction(ray.direction);
     const auto distance = static_cast<double>(hit.distance);
-    const double cosine = glm::dot(receiver.normal, direction);
+    const double chance = density_by_chance(m_spread, glm::dot(at_lane(lanes.normal, lane), direction));
     const double sent = std::abs(glm::dot(m_emitters->normal(hit.triangle), direction));
-    return sent > 0.0 ? Densities(cosine, density, distance * distance, sent).weight_by_cosine() : 0.0;
+    const double left = sent > 0.0 ? Densities(chance, density, distance * distance, sent).weight_by_chance() : 0.0;
+    return (all - sought) + static_cast<float>(left) * sought;
 }
 
 } // namespace vkbake

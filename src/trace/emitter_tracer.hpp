@@ -1,4 +1,4 @@
-// The light that a tile's texels get along rays that seek emitters.
+// The light that lanes get along rays that seek emitters.
 #pragma once
 
 #include <array>
@@ -9,36 +9,53 @@
 
 #include "trace/directions.hpp"
 #include "trace/emitter_set.hpp"
+#include "trace/lane_harmonics.hpp"
+#include "trace/surface_light.hpp"
 #include "trace/tile_lanes.hpp"
 #include "trace/tile_rays.hpp"
 #include "trace/visibility.hpp"
 
 namespace vkbake {
 
+/// How the rays that find what emits by chance are spread.
+enum class RaySpread {
+    cosine,     ///< about the shading normal, by its cosine
+    hemisphere, ///< evenly over what is above the shading normal's plane
+    sphere,     ///< evenly over all directions; lanes have no surface
+};
+
 /// As many rays as a plan has samples, from scrambles of their own, go to points of emitters; what they and the plan's
-/// own cosine-weighted rays bring is joined by the power heuristic (E. Veach, L. Guibas, Optimally Combining Sampling
-/// Techniques for Monte Carlo Rendering, 1995): p and q being the densities of both over solid angle, radiance L found
-/// by the cosine counts L · p² / (p² + q²), and found by choice L · p · q / (p² + q²). (The balance heuristic takes
-/// more from the rays that hardly ever find a small lamp: with 16 rays twice the error.)
+/// own rays bring is joined by the power heuristic (E. Veach, L. Guibas, Optimally Combining Sampling
+/// Techniques for Monte Carlo Rendering, 1995): p being the density of the plan's rays over solid angle and q that of
+/// the choice, radiance L found by chance counts L · p² / (p² + q²), and found by choice L · p · q / (p² + q²). (The
+/// balance heuristic takes more from the rays that hardly ever find a small lamp: with 16 rays twice the error.)
 ///
 /// For one thread; allocates nothing after it is made.
 class EmitterTracer {
 public:
     /// All must outlive it. `plan`: of sampler cosine.
-    EmitterTracer(const EmitterSet& emitters, const RayPlan& plan, const Visibility& visibility);
+    EmitterTracer(const EmitterSet& emitters, const RayPlan& plan, RaySpread spread, const Visibility& visibility);
 
-    /// Adds to `sums`, in the unit of RayPlan's.
+    /// Adds to `sums`, in the unit of the plan's rays.
     void add(const TileLanes& lanes, std::array<glm::dvec3, RayBlock::lanes>& sums);
-    /// p² / (p² + q²) of a ray of the plan's that met a triangle which emits.
-    [[nodiscard]] double weight(const TileLanes& lanes, std::size_t lane, const Ray& ray, const Hit& hit) const;
+    /// Likewise.
+    void add_harmonics(const TileLanes& lanes, LaneHarmonics& sums);
+    /// What arrives of `light` along a ray of the plan's that met a surface, less what rays that seek emitters bring.
+    [[nodiscard]] glm::vec3 arriving(const SurfaceLight& light, const TileLanes& lanes, std::size_t lane,
+                                     const Ray& ray, const Hit& hit) const;
 
     [[nodiscard]] std::uint64_t rays() const { return m_ray_count; } ///< traced so far
 
 private:
+    [[nodiscard]] Receiver receiver_of(const TileLanes& lanes, std::size_t lane) const;
+    /// Calls arrive(stratum, lane, light) for each ray that nothing stops.
+    template<class Arrive>
+    void trace(const TileLanes& lanes, const Arrive& arrive);
     /// Rays of a block of samples, and what they bring if nothing is in the way.
     void aim(const TileLanes& lanes);
 
-    const EmitterSet* m_emitters;   ///< never null
+    const EmitterSet* m_emitters; ///< never null
+    RaySpread m_spread;
     const CosineStrata* m_strata;   ///< never null
     const Visibility* m_visibility; ///< never null
     VisibilityScratch m_scratch;

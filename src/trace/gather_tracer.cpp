@@ -32,16 +32,7 @@ void GatherTracer::sum_up(const TexelTile& tile) {
 }
 
 glm::vec3 GatherTracer::arriving(std::size_t lane, const Ray& ray, const Hit& hit) const {
-    const glm::vec3 light = m_light->along(ray, hit);
-    if (!m_emitters) {
-        return light;
-    }
-    const glm::vec3 sought = m_light->sought_along(ray, hit);
-    if (sought == glm::vec3(0.0F)) {
-        return light;
-    }
-    const auto left = static_cast<float>(m_emitters->weight(m_rays.lanes(), lane, ray, hit));
-    return (light - sought) + left * sought;
+    return m_emitters ? m_emitters->arriving(*m_light, m_rays.lanes(), lane, ray, hit) : m_light->along(ray, hit);
 }
 
 } // namespace vkbake

@@ -24,7 +24,7 @@ public:
         : m_plan(&plan), m_light(&light), m_visibility(&visibility), m_rays(surface, geometry, plan),
           m_scratch(visibility.make_scratch()) {
         if (emitters != nullptr) {
-            m_emitters.emplace(*emitters, plan, visibility);
+            m_emitters.emplace(*emitters, plan, RaySpread::cosine, visibility);
         }
     }
 

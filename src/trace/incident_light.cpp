@@ -9,7 +9,8 @@
 
 namespace vkbake {
 
-const RadianceRows& IncidentLight::along(const RayBlock& block, LaneEnds* ends) {
+const RadianceRows& IncidentLight::along(const RayBlock& block, const TileLanes& lanes, const EmitterTracer* emitters,
+                                         LaneEnds* ends) {
     const BlockedRays blocked = m_visibility->blocked(block, m_scratch);
     BlockedRays open{};
     for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
@@ -27,7 +28,7 @@ const RadianceRows& IncidentLight::along(const RayBlock& block, LaneEnds* ends) 
         dim(block);
     }
     if (m_surfaces != nullptr) {
-        add_surfaces(block, m_visibility->filters() ? m_visibility->met(block, m_scratch) : blocked);
+        add_surfaces(block, m_visibility->filters() ? m_visibility->met(block, m_scratch) : blocked, lanes, emitters);
         if (ends != nullptr) {
             count_ends(block, blocked, *ends);
         }
@@ -47,13 +48,16 @@ void IncidentLight::dim(const RayBlock& block) {
     }
 }
 
-void IncidentLight::add_surfaces(const RayBlock& block, const BlockedRays& met) {
+void IncidentLight::add_surfaces(const RayBlock& block, const BlockedRays& met, const TileLanes& lanes,
+                                 const EmitterTracer* emitters) {
     for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
         for (unsigned left = met[stratum]; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const Ray ray = ray_of(block, stratum, lane);
             for (const SeenSurface& seen : m_visibility->surfaces(ray, m_scratch)) {
-                const glm::vec3 light = seen.share * m_surfaces->along(ray, seen.hit);
+                const glm::vec3 light =
+                    seen.share * (emitters != nullptr ? emitters->arriving(*m_surfaces, lanes, lane, ray, seen.hit)
+                                                      : m_surfaces->along(ray, seen.hit));
                 for (std::size_t channel = 0; channel < 3; ++channel) {
                     m_radiance[stratum][channel][lane] += light[static_cast<glm::length_t>(channel)];
                 }

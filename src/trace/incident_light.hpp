@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "trace/emitter_tracer.hpp"
 #include "trace/lane_harmonics.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/surface_light.hpp"
@@ -26,12 +27,15 @@ public:
         : m_sky(&sky), m_intensity(static_cast<float>(intensity)), m_surfaces(surfaces), m_visibility(&visibility),
           m_scratch(visibility.make_scratch()) {}
 
-    /// Of a block's active rays. Holds until the next call. `ends`: null, or added to; with surfaces only.
-    const RadianceRows& along(const RayBlock& block, LaneEnds* ends = nullptr);
+    /// Of a block's active rays, made of `lanes`. Holds until the next call. `emitters`: brings what these rays are to
+    /// leave out; null where it is nothing. `ends`: null, or added to; with surfaces only.
+    const RadianceRows& along(const RayBlock& block, const TileLanes& lanes, const EmitterTracer* emitters,
+                              LaneEnds* ends = nullptr);
 
 private:
     void dim(const RayBlock& block);
-    void add_surfaces(const RayBlock& block, const BlockedRays& met);
+    void add_surfaces(const RayBlock& block, const BlockedRays& met, const TileLanes& lanes,
+                      const EmitterTracer* emitters);
     void count_ends(const RayBlock& block, const BlockedRays& blocked, LaneEnds& ends);
 
     const SkyLookup* m_sky; ///< never null

@@ -12,8 +12,7 @@
 #include "base/random.hpp"
 #include "trace/directions.hpp"
 #include "trace/incident_light.hpp"
-#include "trace/lamp_tracer.hpp"
-#include "trace/peak_tracer.hpp"
+#include "trace/sought_light.hpp"
 #include "trace/tile_loop.hpp"
 #include "vkbake/error.hpp"
 
@@ -24,29 +23,22 @@ namespace {
 /// Sixteen probes after the other, for one thread.
 class ProbeTracer {
 public:
-    ProbeTracer(const TracedScene& scene, const RayPlan& plan, const SurfaceLight& light)
+    ProbeTracer(const TracedScene& scene, const RayPlan& plan, const SurfaceLight& light, const EmitterSet* emitters)
         : m_scene(&scene), m_plan(&plan), m_strata(&std::get<CosineStrata>(plan.directions())),
-          m_incident(*scene.sky, scene.intensity, &light, *scene.visibility) {
+          m_incident(*scene.sky, scene.intensity, &light, *scene.visibility),
+          m_sought(scene, plan, emitters, RaySpread::sphere) {
         m_lanes.tangent[0].fill(1.0F);
         m_lanes.bitangent[1].fill(1.0F);
         m_lanes.normal[2].fill(1.0F);
         m_lanes.geometric_normal[2].fill(1.0F);
         m_lanes.triangle.fill(no_triangle);
-        if (scene.lamps != nullptr) {
-            m_lamps.emplace(*scene.lamps, *scene.visibility);
-            m_lamps->set_plan(plan);
-        }
-        if (scene.peaks != nullptr) {
-            m_peaks.emplace(*scene.peaks, *scene.visibility);
-            m_peaks->set_plan(plan);
-        }
     }
 
     /// `places`: 1 … 16, as many as `probes`.
     void trace(std::span<const glm::vec3> places, std::span<ProbeLight> probes) {
         set_lanes_to(places);
         m_around.clear();
-        m_sought.clear();
+        m_sent.clear();
         m_ends = {};
         invert_scrambles(*m_strata, m_lanes, m_tables);
         for (std::size_t number = 0; number < m_strata->block_count(); ++number) {
@@ -55,28 +47,21 @@ public:
             for (const RayBlock::LaneBits active : m_block.active) {
                 m_ray_count += static_cast<std::uint64_t>(std::popcount(active));
             }
-            m_around.add(m_block, m_incident.along(m_block, &m_ends));
+            m_around.add(m_block, m_incident.along(m_block, m_lanes, m_sought.emitters(), &m_ends));
         }
-        if (m_peaks) {
-            m_peaks->add_harmonics(m_lanes, Horizon::none, m_sought);
-        }
-        if (m_lamps) {
-            m_lamps->add_harmonics(m_lanes, Horizon::none, m_sought);
-        }
+        m_sought.add(m_lanes, m_around, m_sent);
         const double share = std::numbers::pi / m_plan->samples();
         for (std::size_t lane = 0; lane < places.size(); ++lane) {
             for (std::size_t i = 0; i < probe_coefficients; ++i) {
                 probes[lane].coefficients[i] =
-                    glm::vec3(share * (4.0 * m_around.sum(i, lane) + m_scene->intensity * m_sought.sum(i, lane)));
+                    glm::vec3(share * (4.0 * m_around.sum(i, lane) + m_scene->intensity * m_sent.sum(i, lane)));
             }
             probes[lane].back_sides =
                 static_cast<double>(m_ends.back_sides[lane]) / static_cast<double>(m_ends.rays[lane]);
         }
     }
 
-    [[nodiscard]] std::uint64_t rays() const {
-        return m_ray_count + (m_lamps ? m_lamps->rays() : 0) + (m_peaks ? m_peaks->rays() : 0);
-    }
+    [[nodiscard]] std::uint64_t rays() const { return m_ray_count + m_sought.rays(); }
 
 private:
     void set_lanes_to(std::span<const glm::vec3> places) {
@@ -115,10 +100,9 @@ private:
     StratumTables m_tables;
     RayBlock m_block;
     LaneEnds m_ends;
-    std::optional<LampTracer> m_lamps;
-    std::optional<PeakTracer> m_peaks;
+    SoughtLight m_sought;
     LaneHarmonics m_around{probe_coefficients};
-    LaneHarmonics m_sought{probe_coefficients}; ///< of lamps and peaks
+    LaneHarmonics m_sent{probe_coefficients}; ///< by lamps and peaks
     std::uint64_t m_ray_count = 0;
 };
 
@@ -138,9 +122,10 @@ TracedProbes trace_probes(const Tracer& tracer, std::span<const glm::vec3> place
     const DefaultFloatState float_state;
     const TracedScene scene = tracer.scene();
     const RayPlan plan(probe_settings(*scene.settings), std::numeric_limits<float>::infinity());
+    const std::optional<EmitterSet> emitters = tracer.find_emitters(light);
     std::vector<std::unique_ptr<ProbeTracer>> workers(worker_count(scene.settings->threads));
     for (auto& worker : workers) {
-        worker = std::make_unique<ProbeTracer>(scene, plan, light);
+        worker = std::make_unique<ProbeTracer>(scene, plan, light, emitters ? &*emitters : nullptr);
     }
     TracedProbes traced;
     traced.probes.resize(places.size());

@@ -70,7 +70,7 @@ public:
         const Tracer tracer(surface, sky, settings, lamps);
         // Off the diagonal, on which no triangle lies alone.
         const std::vector<test::SamplePoint> points{test::point_on(surface, 0, {0.45, 0.1, 0.45})};
-        return trace_directional(tracer, test::geometry_image(points, 1), nullptr).coefficients;
+        return trace_directional(tracer, test::geometry_image(points, 1), nullptr, nullptr).coefficients;
     }
 
 private:

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -59,12 +60,16 @@ double factor_of_lamp(double half, const glm::dvec3& lamp, const glm::dvec3& poi
 
 /// Of the first object's texels: root of the mean square error by the mean, and the greatest error by the mean.
 struct FloorError {
+    double mean = 0.0; ///< expected
     double rmse = 0.0;
     double bias = 0.0;
     double greatest = 0.0;
 };
 
-FloorError error_of_floor(const Bake& bake, const std::function<double(const glm::dvec3&)>& expected) {
+const Image& image_of(const LightMap& map) { return map.image; }
+
+FloorError error_of_floor(const Bake& bake, const std::function<double(const glm::dvec3&)>& expected,
+                          const std::function<const Image&(const LightMap&)>& image = image_of) {
     double mean = 0.0;
     std::vector<double> errors;
     for (std::uint32_t page = 0; page < bake.light_maps.size(); ++page) {
@@ -74,13 +79,13 @@ FloorError error_of_floor(const Bake& bake, const std::function<double(const glm
             if (triangle != GeometryImage::empty &&
                 bake.surface.objects[bake.surface.parts[bake.surface.parts_of[triangle]].object].instance == 0) {
                 const double value = expected(bake.surface.frame.to_world(geometry.position[texel]));
-                errors.push_back(static_cast<double>(bake.light_maps[page].image.texels[texel].g) - value);
+                errors.push_back(static_cast<double>(image(bake.light_maps[page]).texels[texel].g) - value);
                 mean += value;
             }
         }
     }
-    FloorError result;
     mean /= static_cast<double>(errors.size());
+    FloorError result{.mean = mean};
     for (const double error : errors) {
         result.rmse += error * error;
         result.bias += error / mean / static_cast<double>(errors.size());
@@ -100,6 +105,51 @@ TEST(Emitters, ASmallLampLightsAFloorByLambertsFormula) {
     // By chance: a ray in a hundred finds it, so 16 would err by more than the mean.
     EXPECT_LT(error.rmse, 0.02);
     EXPECT_LT(std::abs(error.bias), 0.003);
+}
+
+TEST(Emitters, DirectionalMapsSeekThem) {
+    constexpr double half = 0.02;
+    const glm::dvec3 lamp{0.3, 0.5, -0.4};
+    Scene scene = dark_floor();
+    add_square_lamp(scene, half, lamp, glowing(50.0F));
+    Settings settings = seeking_rays(16);
+    settings.directional = Switch::on;
+    settings.directional_rays = 16;
+    const Bake bake = test::bounced(scene, settings);
+    // ∫ L ω up is what Lambert's formula gives. By chance not a ray in a thousand finds the lamp.
+    const FloorError up = error_of_floor(
+        bake, [&](const auto& p) { return 0.488603 * 50.0 * std::numbers::pi * factor_of_lamp(half, lamp, p); },
+        [](const LightMap& map) -> const Image& { return map.directional.at(1); });
+    EXPECT_LT(up.rmse, 0.02);
+    EXPECT_LT(std::abs(up.bias), 0.003);
+    // So small a lamp sends from one direction.
+    const FloorError aside = error_of_floor(
+        bake,
+        [&](const glm::dvec3& p) {
+            return 0.488603 * 50.0 * std::numbers::pi * factor_of_lamp(half, lamp, p) * (lamp.x - p.x) / lamp.y;
+        },
+        [](const LightMap& map) -> const Image& { return map.directional.at(3); });
+    EXPECT_LT(std::abs(aside.rmse * aside.mean), 0.02 * up.mean);
+}
+
+TEST(Emitters, ProbesSeekThem) {
+    constexpr double half = 0.02;
+    Scene scene = dark_floor();
+    add_square_lamp(scene, half, {0.3, 1.0, -0.4}, glowing(50.0F));
+    scene.probes.push_back({.name = "below", .position = {0.3, 0.5, -0.4}});
+    scene.probes.push_back({.name = "behind", .position = {0.3, 1.5, -0.4}});
+    Settings settings = seeking_rays(1);
+    settings.probe_rays = 256;
+    const Bake bake = test::bounced(scene, settings);
+    ASSERT_EQ(bake.probes.size(), 2U);
+    // A square's solid angle from its axis, at half its side a and distance d: 4 asin(a² / (a² + d²)).
+    const double solid_angle = 4.0 * std::asin(half * half / (half * half + 0.25));
+    const double up = 4.0 * std::numbers::pi * test::element_to_parallel_rectangle(half, half, 0.5);
+    const auto& below = bake.probes[0].coefficients;
+    EXPECT_NEAR(double{below[0].g}, 0.282095 * 50.0 * solid_angle, 0.002 * 50.0 * solid_angle);
+    EXPECT_NEAR(double{below[1].g}, 0.488603 * 50.0 * up, 0.003 * 50.0 * up);
+    EXPECT_NEAR(double{below[3].g}, 0.0, 0.003 * 50.0 * up);
+    EXPECT_EQ(bake.probes[1].coefficients[0], glm::vec3(0.0F));
 }
 
 TEST(Emitters, ManySmallLampsOfDifferentPowersAddUp) {
