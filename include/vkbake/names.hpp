@@ -41,6 +41,12 @@ struct Names<Mode> {
 };
 
 template<>
+struct Names<Falloff> {
+    static constexpr std::array<std::pair<std::string_view, Falloff>, 3> values{
+        {{"none", Falloff::none}, {"linear", Falloff::linear}, {"square", Falloff::square}}};
+};
+
+template<>
 struct Names<Switch> {
     static constexpr std::array<std::pair<std::string_view, Switch>, 2> values{
         {{"on", Switch::on}, {"off", Switch::off}}};

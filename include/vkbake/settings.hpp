@@ -23,6 +23,8 @@ enum class Mode : std::uint8_t {
     ao,
     bent_normal
 }; ///< E/π; cosine-weighted visibility; or the mean open direction, as long as visibility
+/// What a surface at distance d hides where surfaces hide up to a distance D: all; 1 − d/D; (1 − d/D)².
+enum class Falloff : std::uint8_t { none, linear, square };
 enum class Switch : std::uint8_t { on, off };
 enum class Alpha : std::uint8_t {
     traced,
@@ -53,7 +55,10 @@ struct Settings {
     // Light
     Mode mode = Mode::irradiance;
     std::optional<double>
-        ao_distance;          ///< metres, > 0; modes ao and bent_normal: farther hits do not occlude. Absent: no limit
+        ao_distance; ///< metres, > 0; modes ao and bent_normal: farther hits do not occlude. Absent: no limit
+    /// How the distance makes surfaces hide less; with ao_distance only. Each ray that meets something is then asked by
+    /// itself how far it is.
+    Falloff ao_falloff = Falloff::none;
     std::uint32_t rays = 256; ///< a texel; ≥ 1. Sampler `thesis` always takes its own 256
     /// How often light is followed from surface to surface after the sky's; 0: the sky's direct light alone. The first
     /// also brings what surfaces emit. 0 … 64; mode irradiance.

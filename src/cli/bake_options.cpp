@@ -66,6 +66,8 @@ void add_light_options(CLI::App& app, Settings& settings) {
            "--ao-distance", [&settings](double metres) { settings.ao_distance = metres; },
            "Metres beyond which nothing occludes (modes ao and bent-normal)")
         ->check(CLI::PositiveNumber);
+    add_choice(app, "--ao-falloff", settings.ao_falloff,
+               "What a surface hides up to that distance: all of what is behind it, or less the farther it is");
     app.add_option("--rays", settings.rays, "Rays a texel")->check(CLI::Range(1U, 1U << 24U))->capture_default_str();
     add_choice(app, "--lamps", settings.lamps,
                "Bake the scene's lamps (KHR_lights_punctual), or leave them for whoever draws it");

@@ -39,6 +39,8 @@ void check_trace_settings(const Settings& settings) {
         require(std::isfinite(*settings.ao_distance) && *settings.ao_distance > 0.0,
                 "the distance limit is " + std::to_string(*settings.ao_distance) + "; give a length above 0 in metres");
     }
+    require(settings.ao_falloff == Falloff::none || settings.ao_distance,
+            "a falloff without a distance limit, to which it falls off; give the distance too");
     require(settings.bounce_rays >= 1, "0 rays a texel and bounce; give 1 or more");
     require(settings.bounces <= 64, std::to_string(settings.bounces) + " bounces; give 0 to 64");
     require(settings.bounces == 0 || settings.mode == Mode::irradiance,

@@ -24,11 +24,11 @@ const RadianceRows& IncidentLight::along(const RayBlock& block, const TileLanes&
             }
         }
     }
-    if (m_visibility->filters()) {
+    if (m_visibility->dims()) {
         dim(block);
     }
     if (m_surfaces != nullptr) {
-        add_surfaces(block, m_visibility->filters() ? m_visibility->met(block, m_scratch) : blocked, lanes, emitters);
+        add_surfaces(block, m_visibility->dims() ? m_visibility->met(block, m_scratch) : blocked, lanes, emitters);
         if (ends != nullptr) {
             count_ends(block, blocked, *ends);
         }

@@ -22,6 +22,13 @@ std::uint64_t ray_count(const BlockedRays& rays) {
     return static_cast<std::uint64_t>(count);
 }
 
+BlockedRays joined(BlockedRays rays, const BlockedRays& others) {
+    for (std::size_t stratum = 0; stratum < rays.size(); ++stratum) {
+        rays[stratum] |= others[stratum];
+    }
+    return rays;
+}
+
 } // namespace
 
 TileTracer::TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
@@ -49,15 +56,16 @@ void TileTracer::sum_up(const TexelTile& tile) {
         const std::uint64_t rays = ray_count(block.active);
         m_counts.rays += rays;
         m_counts.skipped_directions += m_rays.asked() - rays;
-        m_counts.occluded_rays += ray_count(blocked);
         BlockedRays open{};
         for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
             open[stratum] = static_cast<RayBlock::LaneBits>(block.active[stratum] & ~blocked[stratum]);
         }
         const RayPlan::Weights weights = m_plan->weights(number);
-        if (m_visibility->filters()) {
+        if (m_visibility->dims()) {
             add_dimmed(block, weights, open);
         }
+        const BlockedRays stopped = m_visibility->fades() ? joined(blocked, m_scratch.dimmed()) : blocked;
+        m_counts.occluded_rays += ray_count(stopped);
         if (m_plan->weighs_rays()) {
             add_weighted(block, open);
         }
@@ -68,7 +76,7 @@ void TileTracer::sum_up(const TexelTile& tile) {
         if (m_plan->settings().mode == Mode::bent_normal) {
             add_directions(block, weights, blocked);
         }
-        probe(number, block, blocked);
+        probe(number, block, stopped);
     }
     if (m_peaks) {
         m_peaks->sum_up(m_rays.lanes(), m_with_parts ? &m_parts : nullptr);

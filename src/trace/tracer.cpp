@@ -121,7 +121,7 @@ struct Tracer::State {
           lamps(bakes_lamps(asked) ? make_lamp_set(given, traced.frame, intensity) : LampSet()),
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
-          visibility(traced, accelerator_settings(asked), opacity_of_it) {
+          visibility(traced, accelerator_settings(asked), opacity_of_it, asked.ao_falloff) {
         pack(radiance);
     }
 

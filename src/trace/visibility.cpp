@@ -44,6 +44,9 @@ private:
 
 namespace {
 
+/// Of what a surface hides so much is let through, at a share of the ray's length.
+float let_through(Falloff falloff, float share) { return falloff == Falloff::square ? share * (2.0F - share) : share; }
+
 template<typename Entries>
 void sort_by_distance(Entries& entries) {
     std::ranges::sort(entries, {}, [](const auto& entry) { return std::tuple(entry.hit.distance, entry.rank); });
@@ -51,8 +54,10 @@ void sort_by_distance(Entries& entries) {
 
 } // namespace
 
-Visibility::Visibility(const Surface& surface, const AcceleratorSettings& settings, const SurfaceOpacity* opacity)
-    : m_opaque(surface.positions, opaque_triangles(surface, opacity), settings), m_opacity(opacity) {
+Visibility::Visibility(const Surface& surface, const AcceleratorSettings& settings, const SurfaceOpacity* opacity,
+                       Falloff falloff)
+    : m_opaque(surface.positions, opaque_triangles(surface, opacity), settings), m_opacity(opacity),
+      m_falloff(falloff) {
     if (opacity != nullptr && !opacity->filtered().empty()) {
         m_filtered.emplace(surface.positions, opacity->filtered(), settings);
     }
@@ -68,6 +73,9 @@ VisibilityScratch Visibility::make_scratch() const {
 }
 
 BlockedRays Visibility::blocked(const RayBlock& block, VisibilityScratch& scratch) const {
+    if (fades()) {
+        return fade_block(block, scratch);
+    }
     BlockedRays blocked = m_opaque.blocked(block, scratch.m_opaque);
     if (m_filtered) {
         filter_block(block, scratch, blocked);
@@ -86,19 +94,54 @@ void Visibility::filter_block(const RayBlock& block, VisibilityScratch& scratch,
     for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
         for (unsigned left = met[stratum]; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            const auto bit = static_cast<RayBlock::LaneBits>(1U << lane);
-            const glm::vec3 through = filtered(ray_of(block, stratum, lane), scratch);
-            if (through == glm::vec3(0.0F)) {
-                blocked[stratum] |= bit;
-            } else if (through != glm::vec3(1.0F)) {
-                scratch.m_dimmed[stratum] |= bit;
-                for (int channel = 0; channel < 3; ++channel) {
-                    scratch.m_transmittance[stratum][static_cast<std::size_t>(channel)][lane] = through[channel];
-                }
-            }
+            dim(stratum, lane, filtered(ray_of(block, stratum, lane), scratch), scratch, blocked);
             ++scratch.m_filtered_rays;
         }
     }
+}
+
+void Visibility::dim(std::size_t stratum, std::size_t lane, const glm::vec3& through, VisibilityScratch& scratch,
+                     BlockedRays& blocked) {
+    const auto bit = static_cast<RayBlock::LaneBits>(1U << lane);
+    if (through == glm::vec3(0.0F)) {
+        blocked[stratum] |= bit;
+    } else if (through != glm::vec3(1.0F)) {
+        scratch.m_dimmed[stratum] |= bit;
+        for (int channel = 0; channel < 3; ++channel) {
+            scratch.m_transmittance[stratum][static_cast<std::size_t>(channel)][lane] = through[channel];
+        }
+    }
+}
+
+BlockedRays Visibility::fade_block(const RayBlock& block, VisibilityScratch& scratch) const {
+    const BlockedRays found = met(block, scratch);
+    BlockedRays blocked{};
+    scratch.m_dimmed = {};
+    for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
+        for (unsigned left = found[stratum]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            dim(stratum, lane, faded(ray_of(block, stratum, lane), scratch), scratch, blocked);
+        }
+    }
+    return blocked;
+}
+
+// What stands behind a point at which nothing would get through is hidden by it, however far that is.
+glm::vec3 Visibility::faded(const Ray& ray, VisibilityScratch& scratch) const {
+    const auto kept = [&](const Hit& hit) { return let_through(m_falloff, hit.distance / ray.max_distance); };
+    const std::optional<Hit> last = m_opaque.nearest(ray);
+    glm::vec3 through(1.0F);
+    if (m_filtered) {
+        find_passages(ray, last, scratch);
+        for (const auto& entry : scratch.m_entries) {
+            const glm::vec3& own = entry.passage.transmittance;
+            through *= own + (1.0F - own) * kept(entry.hit);
+            if (own == glm::vec3(0.0F)) {
+                return through;
+            }
+        }
+    }
+    return last ? through * kept(*last) : through;
 }
 
 BlockedRays Visibility::met(const RayBlock& block, VisibilityScratch& scratch) const {
@@ -137,16 +180,20 @@ std::optional<Hit> Visibility::nearest(const Ray& ray, VisibilityScratch& scratc
     return seen.empty() ? std::nullopt : std::optional(seen.back().hit);
 }
 
+void Visibility::find_passages(const Ray& ray, const std::optional<Hit>& last, VisibilityScratch& scratch) const {
+    Ray before = ray;
+    before.max_distance = last ? last->distance : ray.max_distance;
+    Passages passages(*m_opacity, before, true, scratch.m_entries);
+    m_filtered->filter(before, passages);
+    sort_by_distance(scratch.m_entries);
+}
+
 std::span<const SeenSurface> Visibility::surfaces(const Ray& ray, VisibilityScratch& scratch) const {
     scratch.m_seen.clear();
     const std::optional<Hit> last = m_opaque.nearest(ray);
     glm::vec3 through(1.0F);
     if (m_filtered) {
-        Ray before = ray;
-        before.max_distance = last ? last->distance : ray.max_distance;
-        Passages passages(*m_opacity, before, true, scratch.m_entries);
-        m_filtered->filter(before, passages);
-        sort_by_distance(scratch.m_entries);
+        find_passages(ray, last, scratch);
         for (const auto& entry : scratch.m_entries) {
             scratch.m_seen.push_back({entry.hit, through * entry.passage.coverage});
             through *= entry.passage.transmittance;

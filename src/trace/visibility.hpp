@@ -11,6 +11,7 @@
 
 #include "bvh/accelerator.hpp"
 #include "trace/surface_opacity.hpp"
+#include "vkbake/settings.hpp"
 #include "vkbake/surface.hpp"
 
 namespace vkbake {
@@ -24,7 +25,8 @@ struct SeenSurface {
 /// What one thread needs to ask, as BlockScratch; and the answers.
 class VisibilityScratch {
 public:
-    /// Of the block that was asked last: the rays along which something, but not all, gets through. None are blocked.
+    /// Of the block that was asked last, where rays may be dimmed: those along which something, but not all, gets
+    /// through. None are blocked.
     [[nodiscard]] const BlockedRays& dimmed() const { return m_dimmed; }
     /// Of a ray that is not blocked: what gets through.
     [[nodiscard]] glm::vec3 transmittance(std::size_t stratum, std::size_t lane) const {
@@ -67,12 +69,16 @@ private:
 /// so that no answer depends on the accelerator.
 class Visibility {
 public:
-    /// Both must outlive it. `opacity`: null where every triangle is taken for opaque.
-    Visibility(const Surface& surface, const AcceleratorSettings& settings, const SurfaceOpacity* opacity = nullptr);
+    /// Both must outlive it. `opacity`: null where every triangle is taken for opaque. `falloff`: with how far along a
+    /// ray a surface is, its end being Ray::max_distance, more gets through.
+    Visibility(const Surface& surface, const AcceleratorSettings& settings, const SurfaceOpacity* opacity = nullptr,
+               Falloff falloff = Falloff::none);
 
     [[nodiscard]] VisibilityScratch make_scratch() const;
-    /// Whether there are triangles that are not opaque: otherwise no ray is dimmed.
-    [[nodiscard]] bool filters() const { return m_filtered.has_value(); }
+    /// Whether rays may be dimmed: by triangles that are not opaque, or by distance.
+    [[nodiscard]] bool dims() const { return m_filtered.has_value() || fades(); }
+    /// Whether every surface lets something through, the more the farther it is.
+    [[nodiscard]] bool fades() const { return m_falloff != Falloff::none; }
 
     /// The active rays along which nothing gets through. Sets scratch.dimmed().
     [[nodiscard]] BlockedRays blocked(const RayBlock& block, VisibilityScratch& scratch) const;
@@ -91,10 +97,19 @@ private:
     /// What gets through the triangles that are not opaque.
     [[nodiscard]] glm::vec3 filtered(const Ray& ray, VisibilityScratch& scratch) const;
     void filter_block(const RayBlock& block, VisibilityScratch& scratch, BlockedRays& blocked) const;
+    /// Of a ray that meets something: what gets through for how far that is.
+    [[nodiscard]] glm::vec3 faded(const Ray& ray, VisibilityScratch& scratch) const;
+    [[nodiscard]] BlockedRays fade_block(const RayBlock& block, VisibilityScratch& scratch) const;
+    /// All that is not opaque before `last` (absent: before the ray's end) goes to scratch.m_entries, nearest first.
+    void find_passages(const Ray& ray, const std::optional<Hit>& last, VisibilityScratch& scratch) const;
+    /// Sorts a ray, of which so much gets through, among the dimmed, the blocked or neither.
+    static void dim(std::size_t stratum, std::size_t lane, const glm::vec3& through, VisibilityScratch& scratch,
+                    BlockedRays& blocked);
 
     TriangleAccelerator m_opaque;
     std::optional<TriangleAccelerator> m_filtered;
     const SurfaceOpacity* m_opacity;
+    Falloff m_falloff;
 };
 
 } // namespace vkbake

@@ -92,6 +92,7 @@ Json settings_json(const Settings& settings) {
             {"max-pages", settings.max_pages},
             {"mode", name_of(settings.mode)},
             {"ao-distance", or_null(settings.ao_distance)},
+            {"ao-falloff", name_of(settings.ao_falloff)},
             {"rays", settings.rays},
             {"bounces", settings.bounces},
             {"bounce-rays", settings.bounce_rays},

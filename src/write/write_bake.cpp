@@ -69,6 +69,9 @@ Attributes provenance(const Bake& bake, const std::string& name) {
         attributes.emplace_back(std::string("vkbake:") + flag,
                                 value.is_string() ? value.get<std::string>() : value.dump());
     }
+    if (bake.settings.ao_falloff != Falloff::none) {
+        attributes.emplace_back("vkbake:ao-falloff", settings.at("ao-falloff").get<std::string>());
+    }
     const auto any_map = [&](const auto& has) {
         return std::any_of(bake.light_maps.begin(), bake.light_maps.end(),
                            [&](const LightMap& map) { return has(map.statistics); });

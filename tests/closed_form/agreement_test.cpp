@@ -75,6 +75,7 @@ TEST(Agreement, AcceleratorsAndThreadCountsGiveTheSameBytes) {
             settings.rays = 50;
             if (mode == Mode::ao) {
                 settings.ao_distance = 0.2;
+                settings.ao_falloff = sampler == Sampler::thesis ? Falloff::square : Falloff::none;
             }
             settings.accelerator = Accelerator::brute;
             settings.threads = 1;

@@ -189,16 +189,26 @@ TEST(Occlusion, SphereAboveAPlane) {
     }
 }
 
+/// A floor in the bake frame, and over it a wide ceiling that is 2 m high: one unit is 8 m.
+struct UnderACeiling {
+    Surface surface;
+    std::vector<test::SamplePoint> points;
+
+    UnderACeiling() {
+        test::SurfaceMaker maker;
+        const std::uint32_t floor =
+            maker.add_quad({-0.2F, 0, 0.2F}, {0.2F, 0, 0.2F}, {0.2F, 0, -0.2F}, {-0.2F, 0, -0.2F});
+        maker.add_quad({-0.9F, 0.25F, 0.9F}, {0.9F, 0.25F, 0.9F}, {0.9F, 0.25F, -0.9F}, {-0.9F, 0.25F, -0.9F});
+        surface = maker.finish(-3);
+        const glm::vec3 up(0, 1, 0);
+        points.assign(256, {{0.01F, 0, 0.03F}, up, up, floor});
+    }
+};
+
 /// Under a ceiling so wide that the limit never passes its border, a ray of length D meets it where cos θ > H / D; what
 /// is left has the cosine-weighted share (H / D)².
 TEST(Occlusion, DistanceLimitUnderACeiling) {
-    test::SurfaceMaker maker;
-    const std::uint32_t floor = maker.add_quad({-0.2F, 0, 0.2F}, {0.2F, 0, 0.2F}, {0.2F, 0, -0.2F}, {-0.2F, 0, -0.2F});
-    maker.add_quad({-0.9F, 0.25F, 0.9F}, {0.9F, 0.25F, 0.9F}, {0.9F, 0.25F, -0.9F}, {-0.9F, 0.25F, -0.9F});
-    // One bake-frame unit is 8 m: the ceiling is 2 m high.
-    const Surface surface = maker.finish(-3);
-    const glm::vec3 up(0, 1, 0);
-    const std::vector<test::SamplePoint> points(256, {{0.01F, 0, 0.03F}, up, up, floor});
+    const auto [surface, points] = UnderACeiling();
     Settings settings;
     settings.mode = Mode::ao;
     for (const double limit : {2.5, 4.0, 6.0}) {
@@ -218,6 +228,28 @@ TEST(Occlusion, DistanceLimitUnderACeiling) {
         }
     }
     expect_factor(traced(surface, points, settings), everything, 256, 3e-6);
+}
+
+/// Where it meets the ceiling it has gone H / cos θ. With k = H / D, what is hidden is ∫ 2 c (1 − k / c) dc from k to
+/// 1, (1 − k)², or that of the square, 1 − 4 k + 3 k² − 2 k² ln k.
+TEST(Occlusion, FallsOffWithDistanceUnderACeiling) {
+    const auto [surface, points] = UnderACeiling();
+    Settings settings;
+    settings.mode = Mode::ao;
+    for (const double limit : {2.5, 4.0, 6.0}) {
+        SCOPED_TRACE(limit);
+        const double k = 2.0 / limit;
+        settings.ao_distance = limit;
+        settings.ao_falloff = Falloff::linear;
+        expect_factor(traced(surface, points, settings), (1.0 - k) * (1.0 - k), 256, 3e-6);
+        settings.ao_falloff = Falloff::square;
+        expect_factor(traced(surface, points, settings), 1.0 - 4.0 * k + 3.0 * k * k - 2.0 * k * k * std::log(k), 256,
+                      3e-6);
+    }
+    settings.ao_distance = 1.99;
+    for (const double value : traced(surface, points, settings)) {
+        EXPECT_EQ(value, 1.0);
+    }
 }
 
 } // namespace

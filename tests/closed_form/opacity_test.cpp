@@ -55,6 +55,25 @@ TEST(Opacity, TransmissionIsColouredByTheBaseColour) {
     expect_all(floor_light(floor_in_boxes({glass}), settings), glm::dvec3(0.0));
 }
 
+TEST(Opacity, WhatFallsOffWithDistanceIsWhatASurfaceHides) {
+    Settings settings = settings_of();
+    settings.mode = Mode::ao;
+    settings.ao_distance = 1.7;
+    settings.ao_falloff = Falloff::linear;
+    // Through 1 − α comes all, through α what the distance lets through; behind what is whole nothing counts.
+    const auto light = [&](const Material& inner, const Material& outer) {
+        return floor_light(floor_in_boxes({inner, outer}), settings);
+    };
+    const std::vector<glm::dvec3> whole = light(Material(), Material());
+    const std::vector<glm::dvec3> half = light(blend(0.5F), blend(0.0F));
+    EXPECT_GT(mean(whole).x, 0.3);
+    EXPECT_LT(mean(whole).x, 0.9);
+    for (std::size_t texel = 0; texel < whole.size(); ++texel) {
+        ASSERT_NEAR(half[texel].x, 0.5 + 0.5 * whole[texel].x, 1e-6);
+    }
+    EXPECT_TRUE(light(Material(), blend(0.5F)) == whole);
+}
+
 TEST(Opacity, TransmissionTexturesAreLookedUpInTheirOwnChannels) {
     Scene scene = floor_in_boxes({{.base_color_texture = TextureUse{.image = 0},
                                    .metallic = 1.0F,
