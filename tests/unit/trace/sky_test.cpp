@@ -1,5 +1,3 @@
-#include "trace/sky_sum.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,56 +9,21 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "base/random.hpp"
 #include "highway_targets.hpp"
 #include "same_bits.hpp"
+#include "sky_looked_up.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
 namespace {
 
-Image picture(int width, int height, const std::function<glm::vec3(int, int)>& value) {
-    Image image{width, height, {}, {}};
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            image.texels.emplace_back(value(x, y), 1.0F);
-        }
-    }
-    return image;
-}
-
-/// One after the other, in all lanes and strata.
-std::vector<glm::vec3> radiances(const SkyLookup& sky, const std::vector<glm::vec3>& directions) {
-    std::vector<glm::vec3> found;
-    for (std::size_t i = 0; i < directions.size(); ++i) { // each in a stratum and lane of its own, with weight 1
-        const std::size_t lane = i % RayBlock::lanes;
-        const std::size_t stratum = i / RayBlock::lanes % RayBlock::strata;
-        RayBlock block;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            block.direction[stratum][axis][lane] = directions[i][static_cast<int>(axis)];
-        }
-        BlockedRays open{};
-        open[stratum] = static_cast<RayBlock::LaneBits>(1U << lane);
-        std::array<double, RayBlock::strata> weights{};
-        weights[stratum] = 1.0;
-        LaneSums sums;
-        add_sky(sky, block, open, weights, sums);
-        found.emplace_back(total(sky, sums, lane));
-    }
-    return found;
-}
+using test::picture;
+using test::pseudo_random;
+using test::pseudo_random_direction;
+using test::radiances;
 
 glm::vec3 radiance(const Sky& sky, const glm::vec3& direction) {
     return radiances(make_sky_lookup(sky), {direction}).front();
-}
-
-double pseudo_random(std::uint64_t key) { return static_cast<double>(mix64(key) >> 11U) * 0x1p-53; }
-
-glm::vec3 pseudo_random_direction(std::uint64_t key) {
-    const double z = 2.0 * pseudo_random(2 * key) - 1.0;
-    const double phi = 2.0 * std::numbers::pi * pseudo_random(2 * key + 1);
-    const double radius = std::sqrt(1.0 - z * z);
-    return {radius * std::cos(phi), radius * std::sin(phi), z};
 }
 
 TEST(ConstantSky, IsTheSameEverywhere) {
@@ -340,72 +303,6 @@ ErrorKind refusal(const Sky& sky) {
     }
     ADD_FAILURE() << "was taken";
     return ErrorKind::bake_failed;
-}
-
-/// A value that Radiance's files hold: 8 bits a channel times one power of two, here 2⁻³⁰ … 2¹⁷.
-glm::vec3 shared_exponent_value(std::uint64_t key) {
-    const double step = std::ldexp(1.0, static_cast<int>(48.0 * pseudo_random(4 * key)) - 30);
-    const auto channel = [&](std::uint64_t number) {
-        return static_cast<float>(step * std::floor(256.0 * pseudo_random(4 * key + number)));
-    };
-    return key % 7 == 0 ? glm::vec3(0.0F) : glm::vec3(channel(1), channel(2), channel(3));
-}
-
-TEST(PackedPictures, AreLookedUpWithTheBitsOfFloats) {
-    std::vector<glm::vec3> directions;
-    for (std::uint64_t i = 0; i < 2000; ++i) {
-        directions.push_back(pseudo_random_direction(i));
-    }
-    for (const int width : {13, 16}) { // with and without a remainder of the squares of four
-        Sky sky;
-        sky.source = EquirectangularSky{picture(
-            width, 9, [&](int x, int y) { return shared_exponent_value(static_cast<std::uint64_t>(width * y + x)); })};
-        CubeSky cube;
-        for (std::size_t face = 0; face < 6; ++face) {
-            cube.faces.at(face) = picture(width, width, [&](int x, int y) {
-                return shared_exponent_value(1000 * face + static_cast<std::uint64_t>(width * y + x));
-            });
-        }
-        for (const auto& source : {decltype(sky.source)(sky.source), decltype(sky.source)(cube)}) {
-            sky.source = source;
-            const SkyLookup floats = make_sky_lookup(sky);
-            SkyLookup packed = floats;
-            pack(packed);
-            const auto* const panorama = std::get_if<EquirectangularLookup>(&packed);
-            ASSERT_TRUE(panorama != nullptr ? panorama->image.is_packed()
-                                            : std::get<CubeLookup>(packed).faces.is_packed());
-            test::for_every_target([&] { EXPECT_EQ(radiances(packed, directions), radiances(floats, directions)); });
-        }
-    }
-}
-
-TEST(PackedPictures, AreLeftAloneWherePackingWouldLose) {
-    Sky sky;
-    for (const glm::vec3& other : {glm::vec3(257.0F, 0.0F, 0.0F), glm::vec3(128.0F, 0.25F, 0.0F), glm::vec3(1e-40F)}) {
-        sky.source =
-            EquirectangularSky{picture(8, 4, [&](int x, int y) { return x == 5 && y == 2 ? other : glm::vec3(1.0F); })};
-        SkyLookup lookup = make_sky_lookup(sky);
-        pack(lookup);
-        EXPECT_FALSE(std::get<EquirectangularLookup>(lookup).image.is_packed());
-        EXPECT_EQ(std::get<EquirectangularLookup>(lookup).image.at(0, 5, 2), other);
-    }
-}
-
-TEST(PackedPictures, TakeTheNearestValueOrTheOneBelow) {
-    for (std::uint64_t i = 0; i < 1000; ++i) {
-        const glm::vec3 value =
-            static_cast<float>(std::exp2(60.0 * pseudo_random(i) - 30.0)) * glm::abs(pseudo_random_direction(i + 5000));
-        const glm::vec3 near = packed_near(value);
-        const glm::vec3 below = packed_below(value);
-        const float step = std::max({value.x, value.y, value.z}) / 128.0F;
-        for (int channel = 0; channel < 3; ++channel) {
-            EXPECT_NEAR(near[channel], value[channel], step);
-            EXPECT_LE(below[channel], value[channel]);
-            EXPECT_GT(below[channel], value[channel] - step);
-        }
-        EXPECT_EQ(packed_below(near), near);
-        EXPECT_EQ(packed_near(below), below);
-    }
 }
 
 TEST(SkyErrors, NameWhatIsWrong) {
