@@ -20,8 +20,8 @@ namespace vkbake {
 namespace {
 
 constexpr double radius_share = 0.015; ///< of the scene's diagonal
-constexpr int columns = 32;            ///< of the ball's sides, and of its map's texels
-constexpr int rows = 16;
+constexpr int ball_columns = 32;       ///< of its sides, and of its map's texels
+constexpr int ball_rows = 16;
 
 /// Towards a place of the ball's map, (0, 0) its upper left corner: +Y on top.
 glm::dvec3 ball_direction(double u, double v) {
@@ -32,15 +32,15 @@ glm::dvec3 ball_direction(double u, double v) {
 
 Primitive unit_ball() {
     Primitive ball;
-    for (int row = 0; row <= rows; ++row) {
-        for (int column = 0; column <= columns; ++column) {
-            const double u = static_cast<double>(column) / columns;
-            const double v = static_cast<double>(row) / rows;
+    for (int row = 0; row <= ball_rows; ++row) {
+        for (int column = 0; column <= ball_columns; ++column) {
+            const double u = static_cast<double>(column) / ball_columns;
+            const double v = static_cast<double>(row) / ball_rows;
             ball.positions.emplace_back(ball_direction(u, v));
             ball.tex_coords[1].emplace_back(u, v);
-            if (row < rows && column < columns) {
-                const auto first = static_cast<std::uint32_t>(row * (columns + 1) + column);
-                const std::uint32_t below = first + columns + 1;
+            if (row < ball_rows && column < ball_columns) {
+                const auto first = static_cast<std::uint32_t>(row * (ball_columns + 1) + column);
+                const std::uint32_t below = first + ball_columns + 1;
                 ball.indices.insert(ball.indices.end(), {first, below, first + 1, first + 1, below, below + 1});
             }
         }
@@ -51,10 +51,10 @@ Primitive unit_ball() {
 
 Image ball_map(const LightProbe& probe) {
     std::array<glm::vec3, 9> coefficients = probe.coefficients;
-    Image map{.width = columns, .height = rows, .texels = {}, .coverage = {}};
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const glm::dvec3 normal = ball_direction((column + 0.5) / columns, (row + 0.5) / rows);
+    Image map{.width = ball_columns, .height = ball_rows, .texels = {}, .coverage = {}};
+    for (int row = 0; row < ball_rows; ++row) {
+        for (int column = 0; column < ball_columns; ++column) {
+            const glm::dvec3 normal = ball_direction((column + 0.5) / ball_columns, (row + 0.5) / ball_rows);
             map.texels.emplace_back(shared::vkbake_probe_light(coefficients.data(), glm::vec3(normal)), 1.0F);
         }
     }
