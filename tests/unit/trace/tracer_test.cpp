@@ -55,6 +55,17 @@ TEST(Tracer, TexelsOfATriangleWithoutAreaGoByTheirShadingNormal) {
     EXPECT_EQ(map.statistics.skipped_directions, 0U);
 }
 
+/// Wherever a texel's rays start, its own triangle lets them pass: here from well below it, through its middle.
+TEST(Tracer, NoRayMeetsTheTriangleThatItLeaves) {
+    const glm::vec3 up(0, 1, 0);
+    test::SurfaceMaker maker;
+    maker.add({-0.5F, 0, 0.5F}, {0.5F, 0, 0.5F}, {0, 0, -0.5F});
+    const Surface surface = maker.finish();
+    const std::vector<test::SamplePoint> points(4, {{0, -0x1p-10F, 0.1F}, up, up, 0});
+    EXPECT_EQ(Tracer(surface, constant_sky(1.0F), {}).trace(test::geometry_image(points, 2)).statistics.occluded_rays,
+              0U);
+}
+
 TEST(Tracer, MapsWithoutATexelAreMaps) {
     const Surface surface = floor_surface();
     const Tracer tracer(surface, constant_sky(1.0F), {});
