@@ -303,6 +303,24 @@ TEST(Manifest, RefusesFilesThatAreNotTheOnesWritten) {
     }
 }
 
+/// However right its hash is.
+TEST(Manifest, RefusesFilesOutsideItsFolder) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder / "bake/maps");
+    std::ofstream(folder / "empty");
+    for (const std::string& file : {std::string("../empty"), std::string("maps/../../empty"), std::string("./../empty"),
+                                    (folder / "empty").string()}) {
+        const Json manifest{{"manifest", 1}, {"files", {{{"file", file}, {"xxh3-128", hash_of({})}}}}};
+        std::ofstream(folder / "bake/manifest.json") << manifest;
+        try {
+            (void)read_manifest(folder / "bake");
+            ADD_FAILURE() << file << " was read";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("lies outside"), std::string::npos) << error.what();
+        }
+    }
+}
+
 // The official validator over both modes, a mesh without any UVs and one baked twice.
 TEST(WriteBake, TheOfficialValidatorFindsNoError) {
     const TestFolder folder;
