@@ -80,6 +80,12 @@ TEST(Input, NamesOfAnyKind) {
     }
     EXPECT_NO_THROW((void)Json(Error(ErrorKind::usage, "x" + many).what()).dump());
     EXPECT_NO_THROW((void)Json(Error(ErrorKind::usage, many).what()).dump());
+    for (const std::string& name : {many, "x" + many}) {
+        DocumentBuilder builder = triangle_document();
+        builder.json["accessors"][0]["name"] = name;
+        builder.json["accessors"][0]["count"] = 0;
+        EXPECT_NO_THROW((void)Json(refusal([&] { (void)builder.load(); })).dump());
+    }
 }
 
 TEST(Input, NumbersThatNoFileCouldHold) {

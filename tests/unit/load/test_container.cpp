@@ -131,6 +131,10 @@ TEST(Buffers, ExternalFilesAndDataUris) {
     json["buffers"][0]["byteLength"] = 4'000'000'000U; // must not be allocated
     EXPECT_NE(refusal([&] { (void)load_scene(folder.write("long.gltf", json.dump())); }).find("there are only"),
               std::string::npos);
+    std::filesystem::resize_file(folder.path() / "data/corners 1.bin", 5ULL << 30U); // a hole that takes no disk
+    json["buffers"][0]["byteLength"] = 5ULL << 30U;
+    EXPECT_NE(refusal([&] { (void)load_scene(folder.write("longer.gltf", json.dump())); }).find("together are larger"),
+              std::string::npos);
     EXPECT_NE(refusal([&] { (void)load_scene(folder.path() / "absent.glb"); }).find("not found"), std::string::npos);
     EXPECT_NE(refusal([&] { (void)load_scene(folder.path()); }).find("not a regular file"), std::string::npos);
 }

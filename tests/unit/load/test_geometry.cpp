@@ -147,6 +147,36 @@ TEST(Geometry, SparseValuesReplaceThoseOfTheBase) {
     expect_refused(builder, "sparse index 2 is out of range");
 }
 
+/// Of an accessor of three elements with two sparse ones.
+TEST(Geometry, SparseFaultsAreRefusedByName) {
+    const auto refused = [](const auto& change, const std::string& part) {
+        DocumentBuilder builder = triangle_document();
+        const std::size_t indices = builder.add_view(std::string("\x00\x02", 2));
+        const std::size_t values = builder.add_view(raw(std::vector<float>{7, 8, 9, -1, -2, -3}));
+        Json& sparse = builder.json["accessors"][0]["sparse"];
+        sparse = {{"count", 2},
+                  {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                  {"values", {{"bufferView", values}}}};
+        change(builder, sparse);
+        expect_refused(builder, part);
+    };
+    refused([](auto&, Json& s) { s["count"] = 0; }, "sparse \"count\" is 0 of 3 elements (accessor 0)");
+    refused([](auto&, Json& s) { s["count"] = 4; }, "sparse \"count\" is 4 of 3 elements (accessor 0)");
+    refused([](auto&, Json& s) { s["count"] = 3; }, "3 elements from byte 0 on do not fit its bufferView of 2 bytes");
+    refused([](auto&, Json& s) { s["indices"]["byteOffset"] = 1; }, "2 elements from byte 1 on do not fit");
+    refused([](auto&, Json& s) { s["indices"]["componentType"] = 5125; }, "2 elements from byte 0 on do not fit");
+    refused([](auto&, Json& s) { s["indices"]["componentType"] = 5126; }, "not unsigned integers");
+    refused([](auto&, Json& s) { s["values"]["byteOffset"] = 4; }, "2 elements from byte 4 on do not fit");
+    refused([](auto&, Json& s) { s["indices"]["bufferView"] = 9; }, "names number 9 of 3");
+    refused([](auto&, Json& s) { s["values"].erase("bufferView"); }, "\"bufferView\" is missing");
+    refused(
+        [](auto& b, Json& s) {
+            b.json["bufferViews"][s["values"]["bufferView"].template get<std::size_t>()]["byteStride"] = 12;
+        },
+        "with a byteStride");
+    refused([](auto& b, Json&) { b.binary[36] = 2; }, "sparse index 2 does not increase"); // 2, 2
+}
+
 TEST(Geometry, BadNormalsAreReplaced) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     DocumentBuilder builder = triangle_document();
@@ -161,6 +191,21 @@ TEST(Geometry, BadNormalsAreReplaced) {
     const Scene most_bad = builder.load();
     EXPECT_TRUE(only_primitive(most_bad).normals.empty());
     EXPECT_TRUE(has_note(most_bad, "flat"));
+}
+
+/// A bake can do without them.
+TEST(Geometry, TexCoordsAndColoursThatAreNotFiniteAreLeftOutWithANote) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    DocumentBuilder builder = triangle_document();
+    Json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["TEXCOORD_1"] = builder.add(std::vector<float>{0, 0, 1, nan, 0, 1}, "VEC2");
+    attributes["COLOR_0"] = builder.add(std::vector<float>{0, 0, 1, infinity, 0, 1, 1, 1, 1}, "VEC3");
+    const Scene scene = builder.load();
+    EXPECT_TRUE(only_primitive(scene).tex_coords[1].empty());
+    EXPECT_TRUE(only_primitive(scene).colors.empty());
+    EXPECT_TRUE(has_note(scene, "TEXCOORD_1 holds values that are not finite"));
+    EXPECT_TRUE(has_note(scene, "COLOR_0 holds values that are not finite"));
 }
 
 TEST(Geometry, FaultsAreRefusedByName) {
@@ -209,6 +254,8 @@ TEST(Geometry, FaultsAreRefusedByName) {
     refused([](auto& b, Json&) { b.json["accessors"][0]["count"] = 0; }, "\"count\" is 0");
     refused([](auto& b, Json&) { b.json["accessors"][0]["count"] = "3"; }, "not an integer");
     refused([](auto& b, Json&) { b.json["accessors"][0]["count"] = -3; }, "not an integer");
+    refused([](auto& b, Json&) { b.json["accessors"][0]["count"] = (1ULL << 53U) + 1; },
+            "not an integer"); // JSON's limit
     refused([](auto& b, Json&) { b.json["buffers"] = Json::array({Json{{"byteLength", 4096}}}); }, "only 36 bytes");
 }
 
