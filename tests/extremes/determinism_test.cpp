@@ -40,6 +40,19 @@ TEST(Determinism, ThreadsInstructionSetsAndAcceleratorsGiveOneSetOfBytes) {
     }
 }
 
+/// Those that are there to be measured too.
+TEST(Determinism, EverySamplerGivesOneSetOfBytes) {
+    const Scene scene = furnished_scene();
+    for (const Sampler sampler : {Sampler::thesis, Sampler::uniform, Sampler::stratified}) {
+        Settings settings = small_settings(16, amount(64, 16));
+        settings.mode = Mode::irradiance;
+        settings.sampler = sampler;
+        settings.threads = 1;
+        const HostBake expected = bake_on_host(scene, striped_sky(), settings);
+        for_every_target([&] { EXPECT_TRUE(same_light(expected, bake_on_host(scene, striped_sky(), settings))); });
+    }
+}
+
 TEST(Determinism, TheTestScenesGiveOneSetOfBytesEach) {
     for (const auto& entry : std::filesystem::directory_iterator(VKBAKE_SOURCE_DIR "/scenes/test")) {
         SCOPED_TRACE(entry.path());

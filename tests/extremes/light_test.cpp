@@ -1,5 +1,6 @@
 // Skies from the faintest to the most blinding.
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -105,12 +106,17 @@ TEST(Light, BlackAndTinySkies) {
         EXPECT_EQ(glm::vec3(texel), glm::vec3(0.0F));
     }
     EXPECT_GT(black.statistics.covered_texels, 16U);
+    for (Sky sky : {constant_sky(glm::vec3(1.0F)), picture(4, 2, [](int, int) { return glm::vec3(1e9F); }), Sky{}}) {
+        sky.intensity = 0.0;
+        for (const glm::vec4& texel : light_on_a_plane(sky, 16).image.texels) {
+            EXPECT_EQ(glm::vec3(texel), glm::vec3(0.0F));
+        }
+    }
     EXPECT_LE(error_in_last_places(light_on_a_plane(picture(1, 1, [](int, int) { return glm::vec3(0.7F); }), 64), 0.7F),
               4.0);
     EXPECT_LE(error_in_last_places(light_on_a_plane(cube_sky(1, 0.7F), 64), 0.7F), 4.0);
 }
 
-/// What a file brings is cleaned by the reader, with a note; a sky that a caller makes with such values is refused.
 TEST(Light, SkiesOfOneTexelAreConstant) {
     const glm::vec4 texel(0.25F, 1e-20F, 3e5F, 1.0F);
     const Image one{1, 1, {texel}, {}};
@@ -125,6 +131,22 @@ TEST(Light, SkiesOfOneTexelAreConstant) {
                             4 * 0x1p-24F * texel[channel]); // of interpolation in floats
             }
         }
+    }
+}
+
+/// Where the cosine of the angle to the pole is 1 in floats: a picture whose radiance is the row's number gives the
+/// angle back, by rows.
+TEST(Light, RowsAreToldApartUpToThePoles) {
+    constexpr int height = 16384;
+    const SkyLookup lookup =
+        make_sky_lookup(picture(2, height, [](int, int y) { return glm::vec3(static_cast<float>(y)); }));
+    for (int step = 4; step <= 40; ++step) {
+        const double row = 0.25 * step + 0.1; // from the pole; the middle of row 0 is at one half
+        const double angle = row * std::numbers::pi / height;
+        const glm::dvec3 up(std::sin(angle) * 0.6, std::cos(angle), std::sin(angle) * 0.8);
+        EXPECT_NEAR(radiance(lookup, glm::vec3(up)).x, row - 0.5, 1e-3) << row;
+        const glm::dvec3 down(up.x, -up.y, up.z);
+        EXPECT_NEAR(radiance(lookup, glm::vec3(down)).x, height - row - 0.5, 0.01) << row; // 16384 in floats
     }
 }
 
@@ -149,6 +171,7 @@ TEST(Light, DISABLED_ASkyOf16384By8192Texels) {
     }
 }
 
+/// What a file brings is cleaned by the reader, with a note; a sky that a caller makes with such values is refused.
 TEST(Light, RadianceThatIsNoneIsRefusedWhereNoReaderCleansIt) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), infinite, -infinite, -1.0F, -1e-30F}) {
