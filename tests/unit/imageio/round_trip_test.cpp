@@ -203,6 +203,23 @@ TEST(Write, AnInterruptedPictureKeepsTheOldFile) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "a temporary was left";
 }
 
+/// While the bytes themselves are written too: before each block of 16 MiB.
+TEST(Write, AnInterruptedFileGoes) {
+    const TemporaryFolder folder;
+    const std::vector<std::uint8_t> bytes((std::size_t{16} << 20U) + 1);
+    for (int last = 1; last <= 2; ++last) {
+        int asked = 0;
+        const auto stop = [&] {
+            if (++asked == last) {
+                throw Error(ErrorKind::interrupted, "interrupted");
+            }
+        };
+        message_of(ErrorKind::interrupted, [&] { const StagedFile file(folder / "data.bin", bytes, stop); });
+        EXPECT_EQ(asked, last);
+        EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    }
+}
+
 TEST(Write, AFileThatCannotBePutInPlace) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "map.png"); // no file can be renamed onto a folder
