@@ -98,6 +98,19 @@ TEST_F(Faults, FilesThatAreBeingWrittenAreTakenBackAtCtrlC) {
     expect_refused(bake(size, {.interrupt_when = a_file_more}), 130, "interrupted; nothing was written");
 }
 
+/// Ctrl-C is for what runs in the foreground.
+TEST_F(Faults, WhoWasToldToIgnoreCtrlCDoes) {
+    bool interrupted = false;
+    const auto a_file_more = [&](const std::string& /*said*/) {
+        interrupted = files().size() > m_before.size();
+        return interrupted;
+    };
+    const std::string size = std::to_string(amount(1024, 256));
+    const Outcome outcome = bake(size, {.interrupt_when = a_file_more, .ignores_interrupts = true});
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_TRUE(interrupted);
+}
+
 /// Whatever it is at: loading, the atlas, tracing.
 TEST_F(Faults, ABakeIsEndedByCtrlCAtAnyMoment) {
     for (int moment = 1; moment <= 256; moment *= 2) {

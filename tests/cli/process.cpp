@@ -36,6 +36,9 @@ void limit(int resource, std::uint64_t bytes) {
     limit(RLIMIT_AS, options.address_space);
     limit(RLIMIT_FSIZE, options.largest_file);
     signal(SIGXFSZ, SIG_IGN); // so that writing fails as on a full disk
+    if (options.ignores_interrupts) {
+        signal(SIGINT, SIG_IGN);
+    }
     std::vector<std::string> words{VKBAKE_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;

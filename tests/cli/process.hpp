@@ -22,6 +22,7 @@ struct RunOptions {
     std::vector<std::pair<std::string, std::string>> environment; ///< added to this process's
     /// Send SIGINT once it is true of what standard error holds so far; asked every few milliseconds. Empty: never.
     std::function<bool(const std::string& said)> interrupt_when;
+    bool ignores_interrupts = false; ///< as what a shell starts in the background
     std::uint64_t largest_file = 0;  ///< bytes that it may write to one file, as on a full disk; 0: any
     std::uint64_t address_space = 0; ///< bytes that it may map; 0: any
 };
