@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -40,13 +45,14 @@ private:
 };
 
 constexpr mode_t permissions = 0666; // less the process's umask
+constexpr std::string_view partial_ending = ".partial";
 
 /// A name that no other process and no earlier, killed run uses.
 std::filesystem::path create_beside(const std::filesystem::path& path) {
     for (int attempt = 0;; ++attempt) {
         std::filesystem::path temporary = path;
         std::string ending = std::to_string(::getpid());
-        ending.append(".").append(std::to_string(attempt)).append(".partial");
+        ending.append(".").append(std::to_string(attempt)).append(partial_ending);
         temporary += '.';
         temporary += ending;
         const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
@@ -84,6 +90,41 @@ void fill(const std::filesystem::path& temporary, const std::filesystem::path& p
     if (!file.close()) {
         fail(path, "cannot be written", errno);
     }
+}
+
+/// Takes ".NUMBER" off the end of a name.
+std::optional<int> take_number(std::string_view& name) {
+    const std::size_t dot = name.find_last_of('.');
+    int number = 0;
+    if (dot == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const char* const end = name.data() + name.size();
+    const auto [rest, error] = std::from_chars(name.data() + dot + 1, end, number);
+    if (error != std::errc() || rest != end || number < 0) {
+        return std::nullopt;
+    }
+    name.remove_suffix(name.size() - dot);
+    return number;
+}
+
+/// Another user's too, which we may not signal. We have no such file left: one with our number is an earlier process's.
+bool lives(int process) { return process != ::getpid() && (::kill(process, 0) == 0 || errno != ESRCH); }
+
+/// What create_beside() named for a process that is gone: the final path.
+std::optional<std::filesystem::path> final_path_of_leftover(const std::filesystem::path& file) {
+    const std::string whole = file.filename().string();
+    std::string_view name = whole;
+    if (!name.ends_with(partial_ending)) {
+        return std::nullopt;
+    }
+    name.remove_suffix(partial_ending.size());
+    const std::optional<int> attempt = take_number(name);
+    const std::optional<int> process = attempt ? take_number(name) : std::nullopt;
+    if (!process || *process == 0 || lives(*process)) {
+        return std::nullopt;
+    }
+    return file.parent_path() / name;
 }
 
 } // namespace
@@ -124,6 +165,28 @@ void StagedFile::commit() {
         fail(m_final, "cannot be put in place", error.value());
     }
     m_temporary.clear();
+}
+
+void remove_leftovers(const std::set<std::filesystem::path>& final_paths) {
+    std::set<std::filesystem::path> folders;
+    for (const std::filesystem::path& path : final_paths) {
+        folders.insert(path.parent_path());
+    }
+    std::error_code error;
+    for (const std::filesystem::path& folder : folders) {
+        std::vector<std::filesystem::path> leftovers;
+        // An iterator that has failed is at the end.
+        std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error);
+        for (; entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+            const auto path = final_path_of_leftover(folder / entry->path().filename());
+            if (path && final_paths.contains(*path) && entry->is_regular_file(error)) {
+                leftovers.push_back(entry->path());
+            }
+        }
+        for (const std::filesystem::path& leftover : leftovers) {
+            std::filesystem::remove(leftover, error);
+        }
+    }
 }
 
 } // namespace vkbake

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <span>
 
 namespace vkbake {
@@ -32,5 +33,9 @@ private:
     std::filesystem::path m_final;
     std::filesystem::path m_temporary; ///< empty once committed or moved from
 };
+
+/// Removes what killed runs left beside these files: StagedFiles of theirs that belong to no process that lives. For
+/// who has put his own in place; what cannot be removed stays.
+void remove_leftovers(const std::set<std::filesystem::path>& final_paths);
 
 } // namespace vkbake

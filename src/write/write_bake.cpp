@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 
 #include "base/boundary.hpp"
 #include "imageio/encode.hpp"
@@ -159,6 +160,11 @@ public:
             m_staged[index].commit();
             paths.emplace_back(m_files[index].file);
         }
+        std::set<std::filesystem::path> final_paths;
+        for (const StagedFile& staged : m_staged) {
+            final_paths.insert(staged.final_path());
+        }
+        remove_leftovers(final_paths);
         return paths;
     }
 

@@ -3,6 +3,8 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "glb_reader.hpp"
 #include "small_scene.hpp"
@@ -233,6 +235,41 @@ TEST(WriteBake, AnInterruptedOneChangesNothing) {
                 EXPECT_EQ(contents(folder.path()), before);
             }
         }
+    }
+}
+
+/// What a killed bake of the same files has left goes with the next one; what is another's, or of a process that still
+/// lives, stays.
+TEST(WriteBake, WhatAKilledOneLeftGoesWithTheNext) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder / "lightmaps");
+    const pid_t gone = fork();
+    if (gone == 0) {
+        _exit(0);
+    }
+    ASSERT_EQ(waitpid(gone, nullptr, 0), gone);
+    const std::string dead = "." + std::to_string(gone) + ".0.partial";
+    const std::vector<std::string> leftovers{"manifest.json" + dead, "room.glb" + dead, "lightmaps/page-0.exr" + dead,
+                                             "lightmaps/page-1.exr." + std::to_string(gone) + ".12.partial",
+                                             "lightmaps/page-1.exr." + std::to_string(getpid()) + ".0.partial"};
+    const std::vector<std::string> others{"notes.txt" + dead,
+                                          "lightmaps/page-2.exr" + dead,
+                                          "manifest.json." + std::to_string(getppid()) + ".0.partial",
+                                          "manifest.json.partial",
+                                          "manifest.json.0.0.partial",
+                                          "manifest.json.-1.0.partial",
+                                          "manifest.json." + std::to_string(gone) + ".partial",
+                                          "manifest.json." + std::to_string(gone) + ".0.partial.txt"};
+    for (const auto& files : {leftovers, others}) {
+        for (const std::string& file : files) {
+            std::ofstream(folder / file) << "half";
+        }
+    }
+    write_bake(make_scene(), make_bake(), {folder.path(), LightMapFormat::exr, {}});
+    const auto after = contents(folder.path());
+    EXPECT_EQ(after.size(), 4U + others.size());
+    for (const std::string& file : others) {
+        EXPECT_TRUE(after.contains(file)) << file;
     }
 }
 
