@@ -344,7 +344,7 @@ TEST(Manifest, RefusesFilesThatAreNotTheOnesWritten) {
 TEST(Manifest, RefusesFilesOutsideItsFolder) {
     const TestFolder folder;
     std::filesystem::create_directories(folder / "bake/maps");
-    std::ofstream(folder / "empty");
+    std::ofstream(folder / "empty") << "";
     for (const std::string& file : {std::string("../empty"), std::string("maps/../../empty"), std::string("./../empty"),
                                     (folder / "empty").string()}) {
         const Json manifest{{"manifest", 1}, {"files", {{{"file", file}, {"xxh3-128", hash_of({})}}}}};
