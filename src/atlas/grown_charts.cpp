@@ -10,6 +10,7 @@
 #include "atlas/chart_mesh.hpp"
 #include "atlas/cluster_triangles.hpp"
 #include "atlas/fold_in.hpp"
+#include "atlas/outline_proof.hpp"
 #include "atlas/patches.hpp"
 #include "atlas/sew.hpp"
 #include "atlas/triangle_tree.hpp"
@@ -151,7 +152,8 @@ private:
                 lay_straight(*all[i]);
                 std::sort(triangles.begin(), triangles.end());
                 sound[i] = std::ranges::none_of(triangles, [&](std::uint32_t t) { return is_mirrored(t); }) &&
-                           !any_overlap(TriangleTree(m_flat, triangles), triangles);
+                           (outline_proves_no_overlap(m_flat, triangles) ||
+                            !any_overlap(TriangleTree(m_flat, triangles), triangles));
             }
         });
         Pieces charts;
