@@ -356,6 +356,7 @@ private:
         into.triangles.insert(into.triangles.end(), from.triangles.begin(), from.triangles.end());
         into.area += from.area;
         into.energy += from.energy;
+        into.relaxed = false;
         from = {};
         Own& own = m_own[a];
         own.outline += m_own[b].outline - 2.0 * own.joints.at(b).length;
@@ -386,14 +387,7 @@ private:
 } // namespace
 
 void merge_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits) {
-    // Twice: what a patch gained in measure by being relaxed it may spend on neighbours.
-    bool bent = relax_patches(patches, pieces, limits);
     PatchMerger(patches, pieces, limits).run();
-    if (bent) {
-        bent = relax_patches(patches, pieces, limits);
-        PatchMerger(patches, pieces, limits).run();
-        (void)relax_patches(patches, pieces, limits);
-    }
 }
 
 } // namespace vkbake

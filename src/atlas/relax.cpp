@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <glm/geometric.hpp>
 
@@ -39,36 +40,68 @@ glm::dvec2 next_rotation(const RigidTriangle& rigid, const std::array<glm::dvec2
     return length > 0.0 ? sum / length : glm::dvec2(1.0, 0.0);
 }
 
+/// Of a symmetric system, whose lower entries are given.
+class Solver {
+public:
+    Solver(Eigen::Index count, const std::vector<Eigen::Triplet<double>>& entries) : m_small(count <= small) {
+        if (m_small) {
+            Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+            for (const Eigen::Triplet<double>& entry : entries) {
+                matrix(entry.row(), entry.col()) += entry.value();
+            }
+            m_dense.compute(matrix);
+        } else {
+            Eigen::SparseMatrix<double> matrix(count, count);
+            matrix.setFromTriplets(entries.begin(), entries.end());
+            m_sparse.compute(matrix);
+        }
+    }
+
+    [[nodiscard]] bool good() const { return (m_small ? m_dense.info() : m_sparse.info()) == Eigen::Success; }
+
+    [[nodiscard]] Eigen::MatrixX2d solve(const Eigen::MatrixX2d& right) const {
+        return m_small ? Eigen::MatrixX2d(m_dense.solve(right)) : Eigen::MatrixX2d(m_sparse.solve(right));
+    }
+
+private:
+    static constexpr Eigen::Index small = 48; // points: fewer have more to gain from order than from zeros
+
+    bool m_small;
+    Eigen::LDLT<Eigen::MatrixXd> m_dense;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_sparse;
+};
+
 } // namespace
 
 bool relax(const ChartMesh& mesh, std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> points,
            std::vector<glm::dvec2>& places, int rounds) {
-    using Matrix = Eigen::SparseMatrix<double>;
     const auto count = static_cast<Eigen::Index>(places.size());
     std::vector<RigidTriangle> rigid;
     std::vector<Eigen::Triplet<double>> entries;
+    std::vector<double> diagonal(places.size(), 0.0);
     rigid.reserve(triangles.size());
-    entries.reserve(9 * triangles.size() + 1);
+    entries.reserve(3 * triangles.size() + places.size());
     double weight = 0.0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         rigid.push_back(rigid_triangle(mesh, triangles[t]));
         for (unsigned c = 0; c < 3; ++c) {
-            const auto a = static_cast<int>(points[3 * t + c]);
-            const auto b = static_cast<int>(points[3 * t + (c + 1) % 3]);
+            const std::uint32_t a = points[3 * t + c];
+            const std::uint32_t b = points[3 * t + (c + 1) % 3];
             const double w = rigid[t].cotangents[c];
-            entries.emplace_back(a, a, w);
-            entries.emplace_back(b, b, w);
+            diagonal[a] += w;
+            diagonal[b] += w;
             entries.emplace_back(std::max(a, b), std::min(a, b), -w);
             weight += std::abs(w);
         }
     }
     // Holds one point, so that the system has one solution.
-    entries.emplace_back(0, 0, weight / static_cast<double>(entries.size()));
-    const double hold = entries.back().value();
-    Matrix matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Matrix> solver(matrix);
-    if (solver.info() != Eigen::Success) {
+    const double hold = weight / static_cast<double>(9 * triangles.size());
+    diagonal[0] += hold;
+    for (std::size_t point = 0; point < places.size(); ++point) {
+        entries.emplace_back(point, point, diagonal[point]);
+    }
+    const Solver solver(count, entries);
+    if (!solver.good()) {
         return false;
     }
     std::vector<glm::dvec2> current = places;
