@@ -138,7 +138,7 @@ private:
     /// bright line in a dark corner, or as teeth where it runs aslant. Of small faces gutters take more than that is
     /// worth, and a slight bend changes light less.
     [[nodiscard]] bool may_join(std::uint32_t a, std::uint32_t b) const {
-        constexpr double slight = 0.25; // 1 − cosine: 41°, less than a bevel has
+        constexpr double slight = 0.27; // 1 − cosine: 43°, an icosahedron has 42° and a bevel 45°
         constexpr double more = 6.0;
         const Joint& joint = m_own[a].joints.at(b);
         const double allowed = m_limits.free_area * (joint.bend < slight * joint.length ? more : 1.0);
