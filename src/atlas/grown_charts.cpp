@@ -327,9 +327,11 @@ std::vector<Chart> make_grown_charts(const Surface& surface, std::span<const std
     GrownCharts growth(surface, triangles, limits);
     const Pieces pieces = growth.run();
     std::vector<Chart> charts = charts_of(pieces, growth.flat(), triangles, flat);
-    for (Chart& chart : charts) {
-        fit_to_texels(chart, flat);
-    }
+    parallel_ranges(charts.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            fit_to_texels(charts[i], flat);
+        }
+    });
     return charts;
 }
 

@@ -86,7 +86,7 @@ private:
     /// Whether the triangles are not bent where this side meets the one across, however they are shaded.
     [[nodiscard]] bool is_flat(std::uint32_t side) const {
         const std::uint32_t beyond = m_mesh.across[side];
-        return !m_mesh.creases[side] && glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]) >= crease_cosine;
+        return !m_mesh.is_crease(side) && glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]) >= crease_cosine;
     }
 
     [[nodiscard]] PlaneTriangle laid(std::uint32_t triangle) const {
@@ -119,7 +119,7 @@ private:
                 if (beyond != ChartMesh::none && m_all.patch_of[beyond / 3] != name) {
                     Joint& joint = own.joints[m_all.patch_of[beyond / 3]];
                     joint.length += length;
-                    joint.flat_length += m_mesh.creases[side] ? 0.0 : length;
+                    joint.flat_length += m_mesh.is_crease(side) ? 0.0 : length;
                     joint.bend += length * (1.0 - glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]));
                 }
             }

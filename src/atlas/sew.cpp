@@ -82,7 +82,7 @@ private:
                 const bool hangs = beyond_name == name
                                        ? m_patches.places[side] == m_patches.places[next_corner(beyond)] &&
                                              m_patches.places[next_corner(side)] == m_patches.places[beyond]
-                                       : !m_mesh.creases[side];
+                                       : !m_mesh.is_crease(side);
                 if (hangs) {
                     visit(3 * local + side % 3, 3 * other + next_corner(beyond) % 3, 3 * local + next_corner(side) % 3,
                           3 * other + beyond % 3);
