@@ -86,7 +86,8 @@ private:
     /// Whether the triangles are not bent where this side meets the one across, however they are shaded.
     [[nodiscard]] bool is_flat(std::uint32_t side) const {
         const std::uint32_t beyond = m_mesh.across[side];
-        return !m_mesh.is_crease(side) && glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]) >= crease_cosine;
+        return !m_mesh.is_crease(side) &&
+               glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]) >= crease_cosine;
     }
 
     [[nodiscard]] PlaneTriangle laid(std::uint32_t triangle) const {
