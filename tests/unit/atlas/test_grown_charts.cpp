@@ -379,9 +379,9 @@ TEST(MeasureUvs, texels_are_not_rounded) {
         const glm::vec2 c{x + 6.0F * step, 0.5F + 4.0F * step};
         const std::vector<glm::vec2> uvs{a, c, {0.9F, 0.5F}, a, {0.5F, 0.9F}, b};
         EXPECT_EQ(measure_uvs({positions, uvs, page, pages}).overlapping, 0U);
-        std::vector<glm::vec2> texels;
-        for (const glm::vec2& uv : uvs) {
-            texels.push_back(uv * 1000.0F);
+        std::vector<glm::vec2> texels = uvs;
+        for (glm::vec2& texel : texels) {
+            texel *= 1000.0F;
         }
         const std::vector<glm::dvec2> ones{{1, 1}};
         overlapping_as_floats += measure_uvs({positions, texels, page, ones}).overlapping > 0 ? 1 : 0;
