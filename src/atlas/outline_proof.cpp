@@ -16,23 +16,23 @@ namespace vkbake {
 
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
 /// Finds numbers by a 64-bit key.
 class KeyTable {
 public:
-    explicit KeyTable(std::size_t keys) : m_slots(std::bit_ceil(2 * keys + 2), {0, none}) {}
+    explicit KeyTable(std::size_t keys) : m_slots(std::bit_ceil(2 * keys + 2), {0, unknown}) {}
 
     /// The key's number; `number` where it had none.
     std::uint32_t enter(std::uint64_t key, std::uint32_t number) {
         Slot& slot = slot_of(key);
-        if (slot.number == none) {
+        if (slot.number == unknown) {
             slot = {key, number};
         }
         return slot.number;
     }
 
-    /// `none` where the key has none.
+    /// `unknown` where the key has none.
     [[nodiscard]] std::uint32_t find(std::uint64_t key) { return slot_of(key).number; }
 
 private:
@@ -44,7 +44,7 @@ private:
     Slot& slot_of(std::uint64_t key) {
         const std::size_t mask = m_slots.size() - 1;
         std::size_t at = mix64(key) & mask;
-        while (m_slots[at].number != none && m_slots[at].key != key) {
+        while (m_slots[at].number != unknown && m_slots[at].key != key) {
             at = (at + 1) & mask;
         }
         return m_slots[at];
@@ -73,9 +73,9 @@ public:
 private:
     struct Point {
         glm::vec2 at;
-        int rounds = 0;           ///< how often the triangles here cross the direction of the x axis
-        std::uint32_t in = none;  ///< the point before along the outline
-        std::uint32_t out = none; ///< the point after
+        int rounds = 0;              ///< how often the triangles here cross the direction of the x axis
+        std::uint32_t in = unknown;  ///< the point before along the outline
+        std::uint32_t out = unknown; ///< the point after
     };
     struct Side {
         std::uint32_t from;
@@ -135,8 +135,8 @@ private:
         for (std::uint32_t name = 0; name < m_sides.size(); ++name) {
             const Side& side = m_sides[name];
             const std::uint32_t beyond = m_side_numbers.find(key_of({side.to, side.from}));
-            if (beyond == none) {
-                if (m_points[side.from].out != none || m_points[side.to].in != none) {
+            if (beyond == unknown) {
+                if (m_points[side.from].out != unknown || m_points[side.to].in != unknown) {
                     return false;
                 }
                 m_points[side.from].out = side.to;
@@ -153,7 +153,7 @@ private:
     /// Whether the triangles at each point go around it no more than once.
     [[nodiscard]] bool goes_around_once() const {
         return std::ranges::all_of(m_points, [&](const Point& point) {
-            if (point.out == none) {
+            if (point.out == unknown) {
                 return point.rounds == 1;
             }
             if (point.rounds == 0) {
