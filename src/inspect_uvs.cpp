@@ -19,17 +19,15 @@ namespace {
 class TexelSurface {
 public:
     TexelSurface(const Surface& surface, const Atlas& atlas) : m_surface(surface), m_atlas(atlas) {
-        m_texels.reserve(atlas.uvs.size());
-        for (std::size_t corner = 0; corner < atlas.uvs.size(); ++corner) {
-            const AtlasPage& page = atlas.pages[atlas.page[corner / 3]];
-            m_texels.push_back(atlas.uvs[corner] * glm::vec2(page.width, page.height));
+        for (const AtlasPage& page : atlas.pages) {
+            m_page_sizes.emplace_back(page.width, page.height);
         }
     }
 
     [[nodiscard]] UvFiguresOfObject figures(std::string name, std::size_t first, std::size_t count) const {
         const UvFigures measured = measure_uvs({std::span(m_surface.positions).subspan(3 * first, 3 * count),
-                                                std::span(m_texels).subspan(3 * first, 3 * count),
-                                                std::span(m_atlas.page).subspan(first, count)});
+                                                std::span(m_atlas.uvs).subspan(3 * first, 3 * count),
+                                                std::span(m_atlas.page).subspan(first, count), m_page_sizes});
         UvFiguresOfObject figures{.name = std::move(name),
                                   .triangles = count,
                                   .charts = measured.charts,
@@ -72,14 +70,15 @@ private:
     }
 
     [[nodiscard]] double texels_of(std::size_t triangle) const {
-        const glm::dvec2 e = glm::dvec2(m_texels[3 * triangle + 1]) - glm::dvec2(m_texels[3 * triangle]);
-        const glm::dvec2 f = glm::dvec2(m_texels[3 * triangle + 2]) - glm::dvec2(m_texels[3 * triangle]);
-        return 0.5 * std::abs(e.x * f.y - e.y * f.x);
+        const glm::dvec2 e = glm::dvec2(m_atlas.uvs[3 * triangle + 1]) - glm::dvec2(m_atlas.uvs[3 * triangle]);
+        const glm::dvec2 f = glm::dvec2(m_atlas.uvs[3 * triangle + 2]) - glm::dvec2(m_atlas.uvs[3 * triangle]);
+        const glm::dvec2 page = m_page_sizes[m_atlas.page[triangle]];
+        return 0.5 * std::abs(e.x * f.y - e.y * f.x) * page.x * page.y;
     }
 
     const Surface& m_surface;
     const Atlas& m_atlas;
-    std::vector<glm::vec2> m_texels;
+    std::vector<glm::dvec2> m_page_sizes;
 };
 
 UvReport report_uvs(const Scene& scene, const Settings& settings) {

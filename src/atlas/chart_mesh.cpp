@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
 #include "base/random.hpp"
 
 namespace vkbake {
@@ -141,14 +142,21 @@ ChartMesh make_chart_mesh(const Surface& surface, std::span<const std::uint32_t>
             mesh.vertices.push_back(table.number(surface.positions[3 * std::size_t{triangle} + c], mesh.points));
         }
     }
-    for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        mesh.normals.push_back(unit_normal(mesh, triangle));
-    }
+    constexpr std::size_t grain = 4096;
+    mesh.normals.resize(triangles.size());
+    parallel_ranges(triangles.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t triangle = begin; triangle < end; ++triangle) {
+            mesh.normals[triangle] = unit_normal(mesh, static_cast<std::uint32_t>(triangle));
+        }
+    });
     find_sides_across(mesh);
     const auto at = [&](std::uint32_t place) { return 3 * std::size_t{triangles[place / 3]} + place % 3; };
-    for (std::uint32_t side = 0; side < mesh.across.size(); ++side) {
-        mesh.creases.push_back(is_crease(mesh, surface, side, at));
-    }
+    mesh.creases.resize(mesh.across.size());
+    parallel_ranges(mesh.across.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t side = begin; side < end; ++side) {
+            mesh.creases[side] = is_crease(mesh, surface, static_cast<std::uint32_t>(side), at) ? 1 : 0;
+        }
+    });
     return mesh;
 }
 

@@ -23,8 +23,9 @@ struct ChartMesh {
     std::vector<glm::vec3> points;       ///< 1 a vertex, bake frame
     std::vector<glm::dvec3> normals;     ///< 1 a triangle, unit; 0 where it has no area
     std::vector<std::uint32_t> across;   ///< 3 a triangle: the side of the triangle that goes on beyond, or `none`
-    std::vector<bool> creases;           ///< 1 a side: whether light may change abruptly there, see make_chart_mesh
+    std::vector<std::uint8_t> creases;   ///< 1 a side, not 0 where light may change abruptly there, see make_chart_mesh
 
+    [[nodiscard]] bool is_crease(std::uint32_t side) const { return creases[side] != 0; }
     [[nodiscard]] std::size_t triangle_count() const { return normals.size(); }
     [[nodiscard]] glm::dvec3 corner(std::uint32_t place) const { return glm::dvec3(points[vertices[place]]); }
 };

@@ -61,7 +61,7 @@ private:
 
     /// The side across one over which a cluster may go on, or `none`.
     [[nodiscard]] std::uint32_t way_over(std::uint32_t side) const {
-        return m_mesh.creases[side] ? ChartMesh::none : m_mesh.across[side];
+        return m_mesh.is_crease(side) ? ChartMesh::none : m_mesh.across[side];
     }
 
     void begin(std::uint32_t cluster, std::uint32_t triangle) {

@@ -1,7 +1,10 @@
 #include "atlas/density.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -121,6 +124,27 @@ double ChartPacker::density_for(double area, int gutter, double low, double high
     return low;
 }
 
+std::optional<Packing> ChartPacker::least_of_widths(double density, int width, int least, int gutter) const {
+    constexpr std::size_t few = 64; // charts: more fill a page of any width alike
+    constexpr std::array shares{1.0, 0.8, 0.9, 1.2};
+    std::array<std::optional<Packing>, shares.size()> packings;
+    const auto pack_at = [&](std::size_t i) {
+        const int own = std::clamp(static_cast<int>(shares[i] * width), std::min(least, greatest_side), greatest_side);
+        packings[i] = at(density, {own, greatest_height, gutter, 1});
+    };
+    if (m_charts.size() > few) {
+        pack_at(0);
+        return std::move(packings[0]);
+    }
+    parallel_ranges(shares.size(), 1, 0, [&](std::size_t begin, std::size_t) { pack_at(begin); });
+    const auto area = [](const std::optional<Packing>& packing) {
+        return packing ? static_cast<double>(packing->width) * packing->height
+                       : std::numeric_limits<double>::infinity();
+    };
+    return std::move(*std::min_element(packings.begin(), packings.end(),
+                                       [&](const auto& a, const auto& b) { return area(a) < area(b); }));
+}
+
 std::optional<Packing> ChartPacker::least_page(double density, int gutter) const {
     const double longest = std::ceil(m_longest * density) + 1.0;
     const double side = std::sqrt(foretold_area(density, gutter));
@@ -128,7 +152,7 @@ std::optional<Packing> ChartPacker::least_page(double density, int gutter) const
         return std::nullopt;
     }
     const int width = std::clamp(static_cast<int>(std::max(longest, side)), 1, greatest_side);
-    auto packing = at(density, {width, greatest_height, gutter, 1});
+    auto packing = least_of_widths(density, width, static_cast<int>(longest), gutter);
     // A page twice as high as wide, or half as high, was foretold badly: once more, with what is known now.
     if (packing && std::max(packing->height, packing->width) > 2 * std::min(packing->height, packing->width)) {
         const double known = std::sqrt(static_cast<double>(packing->height) * packing->width);

@@ -48,6 +48,9 @@ private:
     /// Packed as high as it comes, up to settings.height.
     [[nodiscard]] std::optional<Packing> at(double density, const PageSettings& settings) const;
 
+    /// On one page about so wide, at least `least`, and as high as is needed: few charts are tried on several widths.
+    [[nodiscard]] std::optional<Packing> least_of_widths(double density, int width, int least, int gutter) const;
+
     [[nodiscard]] double foretold_area(double density, int gutter) const;
 
     /// The density in between at which that area is foretold.

@@ -78,7 +78,7 @@ private:
                                      .energy();
         for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
             const std::uint32_t beyond = m_mesh.across[side];
-            if (beyond == ChartMesh::none || m_all.patch_of[beyond / 3] != ChartMesh::none || m_mesh.creases[side]) {
+            if (beyond == ChartMesh::none || m_all.patch_of[beyond / 3] != ChartMesh::none || m_mesh.is_crease(side)) {
                 continue;
             }
             const double flatness = glm::dot(m_mesh.normals[triangle], m_mesh.normals[beyond / 3]);
@@ -95,7 +95,7 @@ private:
         double count = 1.0;
         for (const std::uint32_t own : {next_corner(side), last_corner(side)}) {
             const std::uint32_t beyond = m_mesh.across[own];
-            if (beyond == ChartMesh::none || m_mesh.creases[own]) {
+            if (beyond == ChartMesh::none || m_mesh.is_crease(own)) {
                 continue;
             }
             // The side of that neighbour which does not touch the corner.

@@ -10,6 +10,7 @@
 #include "atlas/chart_mesh.hpp"
 #include "atlas/cluster_triangles.hpp"
 #include "atlas/fold_in.hpp"
+#include "atlas/outline_proof.hpp"
 #include "atlas/patches.hpp"
 #include "atlas/sew.hpp"
 #include "atlas/triangle_tree.hpp"
@@ -107,9 +108,9 @@ public:
         parallel_ranges(components.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 grow_instead(components[i], patches[i]);
-                merge_patches(m_patches, patches[i], m_limits);
             }
         });
+        merge(patches);
         Pieces charts = lay_straight(patches);
         fold_in(m_mesh.vertices, m_flat, charts);
         std::sort(charts.begin(), charts.end());
@@ -140,6 +141,43 @@ private:
         return patches;
     }
 
+    /// Twice: what a patch gained in measure by being relaxed it may spend on neighbours.
+    void merge(std::vector<std::vector<Patch>>& patches) {
+        std::vector<std::uint8_t> gained(patches.size(), 1);
+        for (int pass = 0; pass < 2; ++pass) {
+            relax(patches);
+            parallel_ranges(patches.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (gained[i] != 0) {
+                        merge_patches(m_patches, patches[i], m_limits);
+                    }
+                }
+            });
+            gained = relax(patches);
+        }
+    }
+
+    /// By component: whether one of its patches gained by it.
+    std::vector<std::uint8_t> relax(std::vector<std::vector<Patch>>& patches) {
+        const std::vector<Patch*> all = every(patches);
+        std::vector<std::uint8_t> gained(all.size());
+        parallel_ranges(all.size(), 8, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                gained[i] = relax_patch(m_patches, *all[i], m_limits) ? 1 : 0;
+            }
+        });
+        std::vector<std::uint8_t> by_component(patches.size());
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            by_component[i] = std::any_of(&gained[first], &gained[first] + patches[i].size(),
+                                          [](std::uint8_t own) { return own != 0; })
+                                  ? 1
+                                  : 0;
+            first += patches[i].size();
+        }
+        return by_component;
+    }
+
     /// Writes the flat coordinates. Rounding, and outlines that cross where no joint was looked at, may make triangles
     /// overlap: such patches are cut.
     Pieces lay_straight(std::vector<std::vector<Patch>>& patches) {
@@ -151,7 +189,8 @@ private:
                 lay_straight(*all[i]);
                 std::sort(triangles.begin(), triangles.end());
                 sound[i] = std::ranges::none_of(triangles, [&](std::uint32_t t) { return is_mirrored(t); }) &&
-                           !any_overlap(TriangleTree(m_flat, triangles), triangles);
+                           (outline_proves_no_overlap(m_flat, triangles) ||
+                            !any_overlap(TriangleTree(m_flat, triangles), triangles));
             }
         });
         Pieces charts;
@@ -288,9 +327,11 @@ std::vector<Chart> make_grown_charts(const Surface& surface, std::span<const std
     GrownCharts growth(surface, triangles, limits);
     const Pieces pieces = growth.run();
     std::vector<Chart> charts = charts_of(pieces, growth.flat(), triangles, flat);
-    for (Chart& chart : charts) {
-        fit_to_texels(chart, flat);
-    }
+    parallel_ranges(charts.size(), 64, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            fit_to_texels(charts[i], flat);
+        }
+    });
     return charts;
 }
 

@@ -21,11 +21,11 @@ struct StretchSum {
     double uv_area = 0.0;
 
     /// False where the UVs have no area.
-    bool add(const glm::vec3* position, const glm::vec2* uv) {
+    bool add(const glm::vec3* position, const std::array<glm::dvec2, 3>& uv) {
         const glm::dvec3 e = glm::dvec3(position[1]) - glm::dvec3(position[0]);
         const glm::dvec3 f = glm::dvec3(position[2]) - glm::dvec3(position[0]);
-        const glm::dvec2 s = glm::dvec2(uv[1]) - glm::dvec2(uv[0]);
-        const glm::dvec2 t = glm::dvec2(uv[2]) - glm::dvec2(uv[0]);
+        const glm::dvec2 s = uv[1] - uv[0];
+        const glm::dvec2 t = uv[2] - uv[0];
         const double ee = e.x * e.x + e.y * e.y + e.z * e.z;
         const double ff = f.x * f.x + f.y * f.y + f.z * f.z;
         const double ef = e.x * f.x + e.y * f.y + e.z * f.z;
@@ -56,10 +56,10 @@ DisjointSets join_charts(const MeasuredUvs& uvs) {
         while (ids[corner] != id) {
             ++corner;
         }
-        return uvs.texels[corner];
+        return uvs.texel(corner);
     };
-    const auto near = [](const glm::vec2& a, const glm::vec2& b) {
-        constexpr float enough = 1.0F / 16.0F;
+    const auto near = [](const glm::dvec2& a, const glm::dvec2& b) {
+        constexpr double enough = 1.0 / 16.0;
         return std::abs(a.x - b.x) <= enough && std::abs(a.y - b.y) <= enough;
     };
     for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
@@ -90,7 +90,7 @@ std::size_t count_overlapping(const MeasuredUvs& uvs) {
     }
     std::size_t count = 0;
     for (const auto& triangles : pages) {
-        const TriangleTree tree(uvs.texels, triangles);
+        const TriangleTree tree(uvs.uvs, triangles);
         count += static_cast<std::size_t>(
             std::ranges::count_if(triangles, [&](std::uint32_t triangle) { return tree.overlaps_any(triangle); }));
     }
@@ -105,17 +105,20 @@ UvFigures measure_uvs(const MeasuredUvs& uvs) {
     StretchSum sum;
     std::vector<double> signed_area(uvs.page.size(), 0.0); // by the chart's least triangle
     std::vector<bool> is_chart(uvs.page.size(), false);
+    const auto texels_of = [&](std::uint32_t triangle) {
+        const std::size_t corner = 3 * std::size_t{triangle};
+        return std::array{uvs.texel(corner), uvs.texel(corner + 1), uvs.texel(corner + 2)};
+    };
     const auto doubled_area = [&](std::uint32_t triangle) {
-        const glm::dvec2 s = glm::dvec2(uvs.texels[3 * triangle + 1]) - glm::dvec2(uvs.texels[3 * triangle]);
-        const glm::dvec2 t = glm::dvec2(uvs.texels[3 * triangle + 2]) - glm::dvec2(uvs.texels[3 * triangle]);
-        return s.x * t.y - s.y * t.x;
+        const auto [a, b, c] = texels_of(triangle);
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     };
     for (std::uint32_t triangle = 0; triangle < uvs.page.size(); ++triangle) {
         signed_area[sets.find(triangle)] += doubled_area(triangle);
         if (doubled_area(triangle) != 0.0) {
             is_chart[sets.find(triangle)] = true;
         }
-        figures.unmapped += sum.add(&uvs.positions[3 * triangle], &uvs.texels[3 * triangle]) ? 0 : 1;
+        figures.unmapped += sum.add(&uvs.positions[3 * std::size_t{triangle}], texels_of(triangle)) ? 0 : 1;
     }
     // What has no area in the map is no chart.
     figures.charts = static_cast<std::size_t>(std::count(is_chart.begin(), is_chart.end(), true));
@@ -132,7 +135,9 @@ double l2_stretch(std::span<const glm::vec3> positions, std::span<const glm::vec
                   std::span<const std::uint32_t> triangles) {
     StretchSum sum;
     for (const std::uint32_t triangle : triangles) {
-        (void)sum.add(&positions[3 * std::size_t{triangle}], &flat[3 * std::size_t{triangle}]);
+        const glm::vec2* const own = &flat[3 * std::size_t{triangle}];
+        (void)sum.add(&positions[3 * std::size_t{triangle}],
+                      {glm::dvec2(own[0]), glm::dvec2(own[1]), glm::dvec2(own[2])});
     }
     return sum.stretch();
 }

@@ -10,11 +10,17 @@
 
 namespace vkbake {
 
-/// UVs of a surface in texels of their pages. Three entries a triangle; `page` one a triangle.
+/// UVs of a surface. Three entries a triangle; `page` one a triangle. They are not brought to texels beforehand: floats
+/// would be rounded, and triangles that only meet would overlap.
 struct MeasuredUvs {
     std::span<const glm::vec3> positions; ///< any unit
-    std::span<const glm::vec2> texels;
+    std::span<const glm::vec2> uvs;
     std::span<const std::uint32_t> page;
+    std::span<const glm::dvec2> page_sizes; ///< 1 a page: texels a unit of its UVs
+
+    [[nodiscard]] glm::dvec2 texel(std::size_t corner) const {
+        return glm::dvec2(uvs[corner]) * page_sizes[page[corner / 3]];
+    }
 };
 
 struct UvFigures {

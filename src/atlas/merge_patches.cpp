@@ -86,7 +86,8 @@ private:
     /// Whether the triangles are not bent where this side meets the one across, however they are shaded.
     [[nodiscard]] bool is_flat(std::uint32_t side) const {
         const std::uint32_t beyond = m_mesh.across[side];
-        return !m_mesh.creases[side] && glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]) >= crease_cosine;
+        return !m_mesh.is_crease(side) &&
+               glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]) >= crease_cosine;
     }
 
     [[nodiscard]] PlaneTriangle laid(std::uint32_t triangle) const {
@@ -119,7 +120,7 @@ private:
                 if (beyond != ChartMesh::none && m_all.patch_of[beyond / 3] != name) {
                     Joint& joint = own.joints[m_all.patch_of[beyond / 3]];
                     joint.length += length;
-                    joint.flat_length += m_mesh.creases[side] ? 0.0 : length;
+                    joint.flat_length += m_mesh.is_crease(side) ? 0.0 : length;
                     joint.bend += length * (1.0 - glm::dot(m_mesh.normals[side / 3], m_mesh.normals[beyond / 3]));
                 }
             }
@@ -138,7 +139,7 @@ private:
     /// bright line in a dark corner, or as teeth where it runs aslant. Of small faces gutters take more than that is
     /// worth, and a slight bend changes light less.
     [[nodiscard]] bool may_join(std::uint32_t a, std::uint32_t b) const {
-        constexpr double slight = 0.25; // 1 − cosine: 41°, less than a bevel has
+        constexpr double slight = 0.27; // 1 − cosine: 43°, an icosahedron has 42° and a bevel 45°
         constexpr double more = 6.0;
         const Joint& joint = m_own[a].joints.at(b);
         const double allowed = m_limits.free_area * (joint.bend < slight * joint.length ? more : 1.0);
@@ -356,6 +357,7 @@ private:
         into.triangles.insert(into.triangles.end(), from.triangles.begin(), from.triangles.end());
         into.area += from.area;
         into.energy += from.energy;
+        into.relaxed = false;
         from = {};
         Own& own = m_own[a];
         own.outline += m_own[b].outline - 2.0 * own.joints.at(b).length;
@@ -386,14 +388,7 @@ private:
 } // namespace
 
 void merge_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits) {
-    // Twice: what a patch gained in measure by being relaxed it may spend on neighbours.
-    bool bent = relax_patches(patches, pieces, limits);
     PatchMerger(patches, pieces, limits).run();
-    if (bent) {
-        bent = relax_patches(patches, pieces, limits);
-        PatchMerger(patches, pieces, limits).run();
-        (void)relax_patches(patches, pieces, limits);
-    }
 }
 
 } // namespace vkbake

@@ -16,6 +16,7 @@ struct Patch {
     std::vector<std::uint32_t> triangles; ///< the first is the one that it grew from
     double area = 0.0;                    ///< in space
     double energy = 0.0;                  ///< Σ area · Distortion::energy()
+    bool relaxed = false;                 ///< since it last grew
 };
 
 /// All patches of a mesh.
@@ -45,9 +46,10 @@ struct PatchLimits {
 void grow_patches(Patches& patches, const std::vector<std::uint32_t>& component, const PatchLimits& limits,
                   std::vector<Patch>& pieces);
 
-/// Joins patches that are neighbours on the surface, those first that share most of their outlines, across creases only
-/// small ones: one is moved rigidly until their common sides meet. Where that would make patches overlap they stay
-/// apart. Where they do not fit rigidly, both are sewn together and relaxed as one, if they stay within the limits.
+/// Joins a component's patches that are neighbours on the surface, those first that share most of their outlines,
+/// across creases only small ones: one is moved rigidly until their common sides meet. Where that would make patches
+/// overlap they stay apart. Where they do not fit rigidly, both are sewn together and relaxed as one, if they stay
+/// within the limits.
 void merge_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits);
 
 } // namespace vkbake

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "atlas/outline_proof.hpp"
 #include "atlas/predicates.hpp"
 #include "atlas/triangle_tree.hpp"
 
@@ -113,6 +114,9 @@ void repair_rounding(const Chart& chart, std::span<const glm::vec2> flat, std::s
         if (orientation(placed) != flat_turn) {
             set_corners(uvs, triangle, folded(placed));
         }
+    }
+    if (outline_proves_no_overlap(uvs, chart.triangles)) {
+        return;
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs; // places in chart.triangles
     {

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <glm/geometric.hpp>
 
@@ -39,62 +41,126 @@ glm::dvec2 next_rotation(const RigidTriangle& rigid, const std::array<glm::dvec2
     return length > 0.0 ? sum / length : glm::dvec2(1.0, 0.0);
 }
 
+/// Of a symmetric system, whose lower entries are given.
+class Solver {
+public:
+    Solver(Eigen::Index count, const std::vector<Eigen::Triplet<double>>& entries) : m_small(count <= small) {
+        if (m_small) {
+            Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+            for (const Eigen::Triplet<double>& entry : entries) {
+                matrix(entry.row(), entry.col()) += entry.value();
+            }
+            m_dense.compute(matrix);
+        } else {
+            Eigen::SparseMatrix<double> matrix(count, count);
+            matrix.setFromTriplets(entries.begin(), entries.end());
+            m_sparse.compute(matrix);
+        }
+    }
+
+    [[nodiscard]] bool good() const { return (m_small ? m_dense.info() : m_sparse.info()) == Eigen::Success; }
+
+    [[nodiscard]] Eigen::MatrixX2d solve(const Eigen::MatrixX2d& right) const {
+        return m_small ? Eigen::MatrixX2d(m_dense.solve(right)) : Eigen::MatrixX2d(m_sparse.solve(right));
+    }
+
+private:
+    static constexpr Eigen::Index small = 48; // points: fewer have more to gain from order than from zeros
+
+    bool m_small;
+    Eigen::LDLT<Eigen::MatrixXd> m_dense;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_sparse;
+};
+
+/// The system of one piece, and what is to be solved next.
+class Relaxation {
+public:
+    Relaxation(const ChartMesh& mesh, std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> points,
+               const std::vector<glm::dvec2>& places)
+        : m_points(points), m_first(places[0]), m_turns(triangles.size(), glm::dvec2(0.0)),
+          m_right(static_cast<Eigen::Index>(places.size()), 2) {
+        m_rigid.reserve(triangles.size());
+        m_entries.reserve(3 * triangles.size() + places.size());
+        std::vector<double> diagonal(places.size(), 0.0);
+        double weight = 0.0;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            m_rigid.push_back(rigid_triangle(mesh, triangles[t]));
+            for (unsigned c = 0; c < 3; ++c) {
+                const std::uint32_t a = points[3 * t + c];
+                const std::uint32_t b = points[3 * t + (c + 1) % 3];
+                const double w = m_rigid[t].cotangents[c];
+                diagonal[a] += w;
+                diagonal[b] += w;
+                m_entries.emplace_back(std::max(a, b), std::min(a, b), -w);
+                weight += std::abs(w);
+            }
+        }
+        // Holds one point, so that the system has one solution.
+        m_hold = weight / static_cast<double>(9 * triangles.size());
+        diagonal[0] += m_hold;
+        for (std::size_t point = 0; point < places.size(); ++point) {
+            m_entries.emplace_back(point, point, diagonal[point]);
+        }
+    }
+
+    [[nodiscard]] Solver solver() const { return {m_right.rows(), m_entries}; }
+
+    /// The right side for triangles turned as is best where they are. False where none has turned since the last time.
+    bool turn(const std::vector<glm::dvec2>& current) {
+        constexpr double hardly = 1e-6; // (10⁻³)²: what that turns away from its best costs a millionth of its area
+        bool any = false;
+        m_right.setZero();
+        m_right(0, 0) = m_hold * m_first.x;
+        m_right(0, 1) = m_hold * m_first.y;
+        for (std::size_t t = 0; t < m_rigid.size(); ++t) {
+            const std::uint32_t* const own = &m_points[3 * t];
+            const glm::dvec2 turn = next_rotation(m_rigid[t], {current[own[0]], current[own[1]], current[own[2]]});
+            const glm::dvec2 way = turn - m_turns[t];
+            any = any || glm::dot(way, way) > hardly;
+            m_turns[t] = turn;
+            for (unsigned c = 0; c < 3; ++c) {
+                const glm::dvec2 along =
+                    m_rigid[t].cotangents[c] * (m_rigid[t].corners[(c + 1) % 3] - m_rigid[t].corners[c]);
+                const glm::dvec2 turned(turn.x * along.x - turn.y * along.y, turn.x * along.y + turn.y * along.x);
+                m_right(own[c], 0) -= turned.x;
+                m_right(own[c], 1) -= turned.y;
+                m_right(own[(c + 1) % 3], 0) += turned.x;
+                m_right(own[(c + 1) % 3], 1) += turned.y;
+            }
+        }
+        return any;
+    }
+
+    [[nodiscard]] const Eigen::MatrixX2d& right() const { return m_right; }
+
+private:
+    std::span<const std::uint32_t> m_points;
+    glm::dvec2 m_first;
+    double m_hold = 0.0;
+    std::vector<RigidTriangle> m_rigid;
+    std::vector<Eigen::Triplet<double>> m_entries;
+    std::vector<glm::dvec2> m_turns; ///< 1 a triangle
+    Eigen::MatrixX2d m_right;
+};
+
 } // namespace
 
 bool relax(const ChartMesh& mesh, std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> points,
            std::vector<glm::dvec2>& places, int rounds) {
-    using Matrix = Eigen::SparseMatrix<double>;
-    const auto count = static_cast<Eigen::Index>(places.size());
-    std::vector<RigidTriangle> rigid;
-    std::vector<Eigen::Triplet<double>> entries;
-    rigid.reserve(triangles.size());
-    entries.reserve(9 * triangles.size() + 1);
-    double weight = 0.0;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        rigid.push_back(rigid_triangle(mesh, triangles[t]));
-        for (unsigned c = 0; c < 3; ++c) {
-            const auto a = static_cast<int>(points[3 * t + c]);
-            const auto b = static_cast<int>(points[3 * t + (c + 1) % 3]);
-            const double w = rigid[t].cotangents[c];
-            entries.emplace_back(a, a, w);
-            entries.emplace_back(b, b, w);
-            entries.emplace_back(std::max(a, b), std::min(a, b), -w);
-            weight += std::abs(w);
-        }
-    }
-    // Holds one point, so that the system has one solution.
-    entries.emplace_back(0, 0, weight / static_cast<double>(entries.size()));
-    const double hold = entries.back().value();
-    Matrix matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Matrix> solver(matrix);
-    if (solver.info() != Eigen::Success) {
+    Relaxation relaxation(mesh, triangles, points, places);
+    const Solver solver = relaxation.solver();
+    if (!solver.good()) {
         return false;
     }
     std::vector<glm::dvec2> current = places;
-    Eigen::MatrixX2d right(count, 2);
-    for (int round = 0; round < rounds; ++round) {
-        right.setZero();
-        right(0, 0) = hold * places[0].x;
-        right(0, 1) = hold * places[0].y;
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            const std::uint32_t* const own = &points[3 * t];
-            const glm::dvec2 turn = next_rotation(rigid[t], {current[own[0]], current[own[1]], current[own[2]]});
-            for (unsigned c = 0; c < 3; ++c) {
-                const glm::dvec2 along = rigid[t].cotangents[c] * (rigid[t].corners[(c + 1) % 3] - rigid[t].corners[c]);
-                const glm::dvec2 turned(turn.x * along.x - turn.y * along.y, turn.x * along.y + turn.y * along.x);
-                right(own[c], 0) -= turned.x;
-                right(own[c], 1) -= turned.y;
-                right(own[(c + 1) % 3], 0) += turned.x;
-                right(own[(c + 1) % 3], 1) += turned.y;
-            }
-        }
-        const Eigen::MatrixX2d solution = solver.solve(right);
+    for (int round = 0; round < rounds && relaxation.turn(current); ++round) {
+        const Eigen::MatrixX2d solution = solver.solve(relaxation.right());
         if (!solution.allFinite()) {
             return false;
         }
-        for (Eigen::Index i = 0; i < count; ++i) {
-            current[static_cast<std::size_t>(i)] = {solution(i, 0), solution(i, 1)};
+        for (std::size_t i = 0; i < current.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(i);
+            current[i] = {solution(row, 0), solution(row, 1)};
         }
     }
     places = std::move(current);

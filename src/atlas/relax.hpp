@@ -12,8 +12,9 @@
 namespace vkbake {
 
 /// Moves `places` towards the least Σ area · ‖J − R‖² over the triangles, J the map's derivative and R the rotation
-/// next to it: so many rounds of Liu, Zhang, Xu, Gotsman and Gortler, "A local/global approach to mesh
-/// parameterization" (2008), whose global step is one sparse system, factorised once. `points`: 3 a triangle, which of
+/// next to it: up to so many rounds of Liu, Zhang, Xu, Gotsman and Gortler, "A local/global approach to mesh
+/// parameterization" (2008), whose global step is one sparse system, factorised once; fewer where triangles
+/// no longer turn. `points`: 3 a triangle, which of
 /// the places its corners are; all hang together. Returns false, and leaves `places` as they were, where the system
 /// cannot be solved.
 [[nodiscard]] bool relax(const ChartMesh& mesh, std::span<const std::uint32_t> triangles,

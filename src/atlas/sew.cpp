@@ -26,18 +26,14 @@ public:
                 m_piece.places.push_back(local < m_first_count ? patches.places[place] : motion(patches.places[place]));
             }
         }
-        number_points();
     }
 
     std::optional<SewnPiece> run(const PatchLimits& limits, int rounds) {
-        if (!relax(m_mesh, m_piece.triangles, m_points, m_places, rounds)) {
+        if (rounds > 0 && !relax_places(rounds)) {
             return std::nullopt;
         }
         double area = 0.0;
         for (std::size_t local = 0; local < m_piece.triangles.size(); ++local) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                m_piece.places[3 * local + c] = m_places[m_points[3 * local + c]];
-            }
             const LaidTriangle laid = lay_down(m_mesh, 3 * m_piece.triangles[local]);
             const glm::dvec2* const at = &m_piece.places[3 * local];
             const Distortion bent = distortion(laid, at[0], at[1], at[2]);
@@ -55,6 +51,17 @@ public:
     }
 
 private:
+    bool relax_places(int rounds) {
+        number_points();
+        if (!relax(m_mesh, m_piece.triangles, m_points, m_places, rounds)) {
+            return false;
+        }
+        for (std::size_t corner = 0; corner < m_piece.places.size(); ++corner) {
+            m_piece.places[corner] = m_places[m_points[corner]];
+        }
+        return true;
+    }
+
     /// Calls visit(corner, corner beyond, next corner, next corner beyond), corners by their places in m_piece, for
     /// each side at which triangles hang together.
     template<typename Visit>
@@ -75,7 +82,7 @@ private:
                 const bool hangs = beyond_name == name
                                        ? m_patches.places[side] == m_patches.places[next_corner(beyond)] &&
                                              m_patches.places[next_corner(side)] == m_patches.places[beyond]
-                                       : !m_mesh.creases[side];
+                                       : !m_mesh.is_crease(side);
                 if (hangs) {
                     visit(3 * local + side % 3, 3 * other + next_corner(beyond) % 3, 3 * local + next_corner(side) % 3,
                           3 * other + beyond % 3);
@@ -84,12 +91,16 @@ private:
         }
     }
 
-    /// Where a piece touches itself in a corner alone it stays together.
-    void join_pinches(DisjointSets& sets) const {
+    /// Where a piece touches itself in a corner alone it stays together. `inner`: 1 a side, whether it hangs on
+    /// another.
+    void join_pinches(const std::vector<bool>& inner, DisjointSets& sets) const {
         using Corner = std::tuple<std::uint32_t, std::uint32_t, double, double, std::uint32_t>;
         std::vector<Corner> corners;
-        corners.reserve(m_piece.places.size());
         for (std::uint32_t corner = 0; corner < m_piece.places.size(); ++corner) {
+            // Triangles around a corner hang together, and end at the outline where they do not go around it.
+            if (inner[corner] && inner[last_corner(corner)]) {
+                continue;
+            }
             const std::uint32_t triangle = m_piece.triangles[corner / 3];
             const glm::dvec2& place = m_patches.places[3 * triangle + corner % 3];
             corners.emplace_back(m_mesh.vertices[3 * triangle + corner % 3], m_patches.patch_of[triangle], place.x,
@@ -107,11 +118,13 @@ private:
 
     void number_points() {
         DisjointSets sets(m_piece.places.size());
+        std::vector<bool> inner(m_piece.places.size(), false);
         for_each_seam([&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
             sets.join(a, b);
             sets.join(c, d);
+            inner[a] = true;
         });
-        join_pinches(sets);
+        join_pinches(inner, sets);
         m_points.resize(m_piece.places.size());
         std::vector<double> counts;
         for (std::uint32_t corner = 0; corner < m_points.size(); ++corner) {
@@ -133,6 +146,9 @@ private:
     /// Only triangles at the outline are looked at: a piece whose outline does not cross itself does not overlap itself
     /// where none of its triangles is mirrored.
     [[nodiscard]] bool overlaps() const {
+        if (m_piece.triangles.size() == 1) {
+            return false;
+        }
         std::vector<std::uint8_t> inner(m_piece.triangles.size(), 0); // sides that hang together
         for_each_seam([&](std::uint32_t a, std::uint32_t, std::uint32_t, std::uint32_t) { ++inner[a / 3]; });
         PlaneBox box;
@@ -165,6 +181,13 @@ private:
     std::vector<glm::dvec2> m_places;    ///< by point
 };
 
+void take_places(Patches& patches, const Patch& patch, const SewnPiece& laid) {
+    for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+        std::copy_n(laid.places.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                    patches.places.begin() + 3 * static_cast<std::ptrdiff_t>(patch.triangles[i]));
+    }
+}
+
 } // namespace
 
 std::optional<SewnPiece> sew(Patches& patches, const Patch& first, const Patch& second, const RigidMotion& motion,
@@ -188,22 +211,25 @@ bool lay_out_patch(Patches& patches, Patch& patch, const PatchLimits& limits) {
     const glm::dvec3 u = glm::normalize(glm::cross(aside, facing));
     const glm::dvec3 v = glm::cross(facing, u);
     const glm::dvec3 origin = mesh.corner(3 * patch.triangles.front());
+    double shadow_energy = 0.0;
     for (const std::uint32_t triangle : patch.triangles) {
         for (std::uint32_t place = 3 * triangle; place < 3 * triangle + 3; ++place) {
             const glm::dvec3 way = mesh.corner(place) - origin;
             patches.places[place] = {glm::dot(way, u), glm::dot(way, v)};
         }
+        const LaidTriangle laid = lay_down(mesh, 3 * triangle);
+        const glm::dvec2* const at = &patches.places[3 * std::size_t{triangle}];
+        shadow_energy += 0.5 * laid.x1 * laid.y2 * distortion(laid, at[0], at[1], at[2]).energy();
     }
-    constexpr int rounds = 8; // from a shadow
+    constexpr double flat = 1e-3; // of what a patch may be bent
+    const int rounds = shadow_energy <= flat * limits.mean_energy * patch.area ? 0 : 8;
     const auto laid = sew(patches, patch, {}, {}, limits, rounds);
     if (!laid) {
         return false;
     }
     patch.energy = laid->energy;
-    for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
-        std::copy_n(laid->places.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
-                    patches.places.begin() + 3 * static_cast<std::ptrdiff_t>(patch.triangles[i]));
-    }
+    patch.relaxed = true;
+    take_places(patches, patch, *laid);
     return true;
 }
 
@@ -241,25 +267,20 @@ RigidMotion best_motion(const Patches& patches, std::span<const std::uint32_t> c
     return motion;
 }
 
-bool relax_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits) {
-    constexpr double hardly = 1e-3; // of what a patch may be bent
+bool relax_patch(Patches& patches, Patch& patch, const PatchLimits& limits) {
+    constexpr double hardly = 0.1; // of what a patch may be bent: less gains next to nothing
     constexpr int rounds = 4;
-    bool bent = false;
-    for (Patch& piece : pieces) {
-        if (piece.triangles.size() < 3 || piece.energy <= hardly * limits.mean_energy * piece.area) {
-            continue;
-        }
-        bent = true;
-        auto relaxed = sew(patches, piece, {}, {}, limits, rounds);
-        if (relaxed && relaxed->energy < piece.energy) {
-            piece.energy = relaxed->energy;
-            for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
-                std::copy_n(relaxed->places.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
-                            patches.places.begin() + 3 * static_cast<std::ptrdiff_t>(piece.triangles[i]));
-            }
-        }
+    if (patch.relaxed || patch.triangles.size() < 3 || patch.energy <= hardly * limits.mean_energy * patch.area) {
+        return false;
     }
-    return bent;
+    patch.relaxed = true;
+    const auto laid = sew(patches, patch, {}, {}, limits, rounds);
+    if (!laid || laid->energy >= patch.energy) {
+        return false;
+    }
+    patch.energy = laid->energy;
+    take_places(patches, patch, *laid);
+    return true;
 }
 
 } // namespace vkbake

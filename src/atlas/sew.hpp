@@ -21,7 +21,7 @@ struct SewnPiece {
 
 /// Both pieces as one, `second` brought to the first one's plane by `motion`: joined at all common sides that are no
 /// creases, then relaxed. Nothing where the result breaks a limit, mirrors a triangle or overlaps itself. `second` may
-/// be empty: then `first` is relaxed alone.
+/// be empty: then `first` is relaxed alone. Without rounds the pieces stay where they are.
 [[nodiscard]] std::optional<SewnPiece> sew(Patches& patches, const Patch& first, const Patch& second,
                                            const RigidMotion& motion, const PatchLimits& limits, int rounds);
 
@@ -32,7 +32,7 @@ struct SewnPiece {
 /// The motion that brings these sides as near to those across as can be: least squares, weighed by length.
 [[nodiscard]] RigidMotion best_motion(const Patches& patches, std::span<const std::uint32_t> common);
 
-/// Lays each bent patch out anew where that succeeds. Whether there was one.
-[[nodiscard]] bool relax_patches(Patches& patches, std::vector<Patch>& pieces, const PatchLimits& limits);
+/// Lays a patch out anew that has grown and is bent, if that succeeds. Whether it did. Reads and writes as above.
+bool relax_patch(Patches& patches, Patch& patch, const PatchLimits& limits);
 
 } // namespace vkbake

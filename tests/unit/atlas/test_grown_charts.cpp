@@ -20,11 +20,11 @@ using namespace test; // NOLINT(google-build-using-namespace): the helpers of th
 Settings grown(int size) { return made_by(ChartMaker::grown, size); }
 
 UvFigures figures_of(const Surface& surface, const Atlas& atlas) {
-    std::vector<glm::vec2> texels;
-    for (std::size_t corner = 0; corner < atlas.uvs.size(); ++corner) {
-        texels.push_back(atlas.uvs[corner] * static_cast<float>(atlas.pages[atlas.page[corner / 3]].width));
+    std::vector<glm::dvec2> page_sizes;
+    for (const AtlasPage& page : atlas.pages) {
+        page_sizes.emplace_back(page.width, page.height);
     }
-    return measure_uvs({surface.positions, texels, atlas.page});
+    return measure_uvs({surface.positions, atlas.uvs, atlas.page, page_sizes});
 }
 
 Atlas expect_good_atlas(const Scene& scene, const Settings& settings) {
@@ -346,7 +346,8 @@ TEST(MeasureUvs, stretch_of_known_maps) {
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     std::vector<glm::vec2> texels{{0, 0}, {10, 0}, {10, 10}, {0, 0}, {10, 10}, {0, 10}};
     const std::vector<std::uint32_t> page{0, 0};
-    UvFigures figures = measure_uvs({positions, texels, page});
+    const std::vector<glm::dvec2> ones{{1, 1}};
+    UvFigures figures = measure_uvs({positions, texels, page, ones});
     EXPECT_EQ(figures.charts, 1U);
     EXPECT_DOUBLE_EQ(figures.stretch, 1.0);
     EXPECT_DOUBLE_EQ(figures.uv_area, 100.0);
@@ -354,12 +355,38 @@ TEST(MeasureUvs, stretch_of_known_maps) {
     for (glm::vec2& texel : texels) {
         texel.x *= 2.0F;
     }
-    EXPECT_NEAR(measure_uvs({positions, texels, page}).stretch, std::sqrt(1.25), 1e-12);
+    EXPECT_NEAR(measure_uvs({positions, texels, page, ones}).stretch, std::sqrt(1.25), 1e-12);
     // The second triangle folded over onto the first.
     texels = {{0, 0}, {10, 0}, {10, 10}, {0, 0}, {10, 10}, {10, 0}};
-    figures = measure_uvs({positions, texels, page});
+    figures = measure_uvs({positions, texels, page, ones});
     EXPECT_EQ(figures.overlapping, 2U);
     EXPECT_EQ(figures.charts, 1U);
+}
+
+// Two thin triangles that meet along a side, on a page whose size is no power of two. In texels as floats the side's
+// corners are rounded, and the triangles lie on each other.
+TEST(MeasureUvs, texels_are_not_rounded) {
+    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {5, 0, 0}, {6, 1, 0}, {5, 1, 0}};
+    const float step = 0x1p-23F;
+    const std::vector<std::uint32_t> page{0, 0};
+    const std::vector<glm::dvec2> pages{{1000.0, 1000.0}};
+    int overlapping_as_floats = 0;
+    for (int k = 0; k < 64; ++k) {
+        const float x = 0.7F + static_cast<float>(k) * step;
+        // From (x, 0.5) to (x + 3, 0.5 + 2) steps and on to (x + 6, 0.5 + 4): all on one line.
+        const glm::vec2 a{x, 0.5F};
+        const glm::vec2 b{x + 3.0F * step, 0.5F + 2.0F * step};
+        const glm::vec2 c{x + 6.0F * step, 0.5F + 4.0F * step};
+        const std::vector<glm::vec2> uvs{a, c, {0.9F, 0.5F}, a, {0.5F, 0.9F}, b};
+        EXPECT_EQ(measure_uvs({positions, uvs, page, pages}).overlapping, 0U);
+        std::vector<glm::vec2> texels = uvs;
+        for (glm::vec2& texel : texels) {
+            texel *= 1000.0F;
+        }
+        const std::vector<glm::dvec2> ones{{1, 1}};
+        overlapping_as_floats += measure_uvs({positions, texels, page, ones}).overlapping > 0 ? 1 : 0;
+    }
+    EXPECT_GT(overlapping_as_floats, 0); // else this shows nothing
 }
 
 } // namespace

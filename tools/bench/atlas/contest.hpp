@@ -13,10 +13,11 @@
 namespace vkbake::bench {
 
 struct Unwrapped {
-    std::vector<glm::vec2> texels;   ///< three a triangle
-    std::vector<std::uint32_t> page; ///< one a triangle
-    double pages_area = 0.0;         ///< texels²
-    double density = 0.0;            ///< texels a metre
+    std::vector<glm::vec2> uvs;         ///< three a triangle
+    std::vector<std::uint32_t> page;    ///< one a triangle
+    std::vector<glm::dvec2> page_sizes; ///< one a page: texels a unit of its UVs
+    double pages_area = 0.0;            ///< texels²
+    double density = 0.0;               ///< texels a metre
     double wall_seconds = 0.0;
     double cpu_seconds = 0.0; ///< of all threads: for machines that others use meanwhile
 };

@@ -29,12 +29,9 @@ Unwrapped unwrap_by_us(const Surface& surface, const Settings& settings) {
     watch.read(result);
     result.density = atlas.density;
     result.page = atlas.page;
-    for (std::size_t corner = 0; corner < atlas.uvs.size(); ++corner) {
-        const AtlasPage& page = atlas.pages[atlas.page[corner / 3]];
-        result.texels.emplace_back(atlas.uvs[corner].x * static_cast<float>(page.width),
-                                   atlas.uvs[corner].y * static_cast<float>(page.height));
-    }
+    result.uvs = atlas.uvs;
     for (const AtlasPage& page : atlas.pages) {
+        result.page_sizes.emplace_back(page.width, page.height);
         result.pages_area += static_cast<double>(page.width) * page.height;
     }
     return result;
@@ -51,10 +48,11 @@ void report(const std::string& scene, const std::string& who, const Surface& sur
         wall.push_back(last.wall_seconds);
         cpu.push_back(last.cpu_seconds);
     }
-    const UvFigures figures = measure_uvs({surface.positions, last.texels, last.page});
-    fmt::print("| {} | {} | {} | {} | {:.3f} | {:.4f} | {:.2f} | {:.2f} | {:.0f} | {} | {} | {} |\n", scene, who,
-               surface.triangle_count(), figures.charts, figures.uv_area / last.pages_area, figures.stretch,
-               median(wall), median(cpu), last.pages_area, figures.overlapping, figures.mirrored, figures.unmapped);
+    const UvFigures figures = measure_uvs({surface.positions, last.uvs, last.page, last.page_sizes});
+    fmt::print("| {} | {} | {} | {} | {:.3f} | {:.4f} | {:.3f} | {:.3f} | {:.0f} | {:.6g} | {} | {} | {} |\n", scene,
+               who, surface.triangle_count(), figures.charts, figures.uv_area / last.pages_area, figures.stretch,
+               median(wall), median(cpu), last.pages_area, last.density, figures.overlapping, figures.mirrored,
+               figures.unmapped);
     std::fflush(stdout);
 }
 
@@ -68,13 +66,13 @@ int run(int argument_count, char** arguments) {
     app.add_option("--size", settings.size, "the side that xatlas is asked for");
     app.add_option("--gutter", settings.gutter, "empty texels between charts");
     app.add_option("--repeats", repeats, "runs; the median is printed")->check(CLI::Range(1, 100));
+    app.add_option("--density", settings.density, "with --ours: texels a metre, on a page as high as is needed");
     app.add_flag_callback(
         "--polypack", [&] { settings.charts = ChartMaker::polypack; }, "the thesis's charts");
     app.add_flag("--ours", ours_alone, "leave xatlas out: pages of --size, filled");
     CLI11_PARSE(app, argument_count, arguments);
-    fmt::print(
-        "| scene | by | triangles | charts | own share | L2 | wall s | cpu s | texels | overlapping | mirrored | "
-        "unmapped |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    fmt::print("| scene | by | triangles | charts | own share | L2 | wall s | cpu s | texels | a metre | overlapping | "
+               "mirrored | unmapped |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const auto& file : scenes) {
         const Scene scene = load_scene(file);
         const Surface surface = make_surface(scene);
@@ -85,8 +83,8 @@ int run(int argument_count, char** arguments) {
                 same.density = result.density;
                 return result;
             });
-            same.size = 0; // the least that holds them
         }
+        same.size = same.density ? 0 : same.size; // the least that holds them
         report(scene.name, "vkbake", surface, repeats, [&] { return unwrap_by_us(surface, same); });
     }
     return 0;

@@ -58,14 +58,15 @@ Unwrapped unwrap_by_xatlas(const Surface& surface, int size, int gutter) {
     watch.read(result);
     result.density = atlas->texelsPerUnit; // a metre
     result.pages_area = static_cast<double>(atlas->width) * atlas->height * atlas->atlasCount;
-    result.texels.resize(surface.positions.size());
+    result.page_sizes.assign(std::max(1U, atlas->atlasCount), glm::dvec2(1.0)); // it gives texels
+    result.uvs.resize(surface.positions.size());
     result.page.resize(surface.triangle_count());
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         const xatlas::Mesh& mesh = atlas->meshes[m];
         for (std::size_t corner = 0; corner < mesh.indexCount; ++corner) {
             const xatlas::Vertex& vertex = mesh.vertexArray[mesh.indexArray[corner]];
             const std::size_t place = 3 * std::size_t{surface.objects[m].first_triangle} + corner;
-            result.texels[place] = {vertex.uv[0], vertex.uv[1]};
+            result.uvs[place] = {vertex.uv[0], vertex.uv[1]};
             result.page[place / 3] = static_cast<std::uint32_t>(std::max(vertex.atlasIndex, 0));
         }
     }
