@@ -27,7 +27,8 @@ struct TracedProbes {
 
 /// Of the tracer's sky with its peaks, its lamps, and of `light`, which leaves surfaces. `places`: bake frame. Each
 /// probe sends Settings::probe_rays evenly over the sphere, and as many more to the sky's peaks, to each soft lamp and
-/// to emitters; its bits depend on its place, and on no other probe. Throws Error{interrupted} where `progress` returned false.
+/// to emitters; its bits depend on its place, and on no other probe. Throws Error{interrupted} where `progress`
+/// returned false.
 [[nodiscard]] TracedProbes trace_probes(const Tracer& tracer, std::span<const glm::vec3> places,
                                         const SurfaceLight& light, const TraceProgress& progress = {});
 

@@ -35,14 +35,16 @@ TEST(PackedPictures, AreLookedUpWithTheBitsOfFloats) {
         directions.push_back(pseudo_random_direction(i));
     }
     for (const int width : {13, 16}) { // with and without a remainder of the squares of four
+        const auto number = [&](int x, int y) {
+            return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(y) + static_cast<std::uint64_t>(x);
+        };
         Sky sky;
-        sky.source = EquirectangularSky{picture(
-            width, 9, [&](int x, int y) { return shared_exponent_value(static_cast<std::uint64_t>(width * y + x)); })};
+        sky.source =
+            EquirectangularSky{picture(width, 9, [&](int x, int y) { return shared_exponent_value(number(x, y)); })};
         CubeSky cube;
         for (std::size_t face = 0; face < 6; ++face) {
-            cube.faces.at(face) = picture(width, width, [&](int x, int y) {
-                return shared_exponent_value(1000 * face + static_cast<std::uint64_t>(width * y + x));
-            });
+            cube.faces.at(face) =
+                picture(width, width, [&](int x, int y) { return shared_exponent_value(1000 * face + number(x, y)); });
         }
         for (const auto& source : {decltype(sky.source)(sky.source), decltype(sky.source)(cube)}) {
             sky.source = source;
