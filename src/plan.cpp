@@ -9,7 +9,7 @@
 
 #include "base/boundary.hpp"
 #include "material/surface_colors.hpp"
-#include "trace/sky_peaks.hpp"
+#include "trace/peak_cut.hpp"
 #include "trace/surface_opacity.hpp"
 #include "vkbake/names.hpp"
 

@@ -53,26 +53,25 @@ void PeakTracer::trace(const TileLanes& lanes, LaneParts* parts) {
 }
 
 void PeakTracer::aim(const TileLanes& lanes) {
+    set_peak_directions(*m_peaks, m_block, m_samples);
     for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
-        auto& [x, y, z] = m_block.direction[stratum];
-        unsigned active = 0;
-        for (unsigned left = m_block.active[stratum]; left != 0; left &= left - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            const SkyPeaks::Sample sample =
-                m_peaks->sample(0.5 + 0.5 * static_cast<double>(x[lane]), 0.5 + 0.5 * static_cast<double>(y[lane]));
+        const TileLanes::Rows& direction = m_block.direction[stratum];
+        auto& [red, green, blue] = m_samples.light[stratum];
+        unsigned faced = 0;
+        for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
             const auto along = [&](const TileLanes::Rows& rows) {
-                return sample.direction.x * rows[0][lane] + sample.direction.y * rows[1][lane] +
-                       sample.direction.z * rows[2][lane];
+                return direction[0][lane] * rows[0][lane] + direction[1][lane] * rows[1][lane] +
+                       direction[2][lane] * rows[2][lane];
             };
             const float cosine = along(lanes.normal);
             const bool faces = m_horizon == Horizon::none || (cosine > 0.0F && along(lanes.geometric_normal) > 0.0F);
-            active |= faces ? 1U << lane : 0U;
-            m_light[stratum][lane] = (m_harmonics != nullptr ? 1.0F : cosine) * sample.light;
-            x[lane] = sample.direction.x;
-            y[lane] = sample.direction.y;
-            z[lane] = sample.direction.z;
+            faced |= static_cast<unsigned>(faces) << lane;
+            const float factor = m_harmonics != nullptr ? 1.0F : cosine;
+            red[lane] *= factor;
+            green[lane] *= factor;
+            blue[lane] *= factor;
         }
-        m_block.active[stratum] = static_cast<RayBlock::LaneBits>(active);
+        m_block.active[stratum] = static_cast<RayBlock::LaneBits>(m_block.active[stratum] & faced);
     }
 }
 
@@ -84,8 +83,9 @@ void PeakTracer::trace_block(LaneParts* parts) {
         const unsigned open = m_block.active[stratum] & ~static_cast<unsigned>(blocked[stratum]);
         for (unsigned left = open; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            const auto& [red, green, blue] = m_samples.light[stratum];
             const glm::dvec3 light =
-                glm::dvec3(m_scratch.transmittance(stratum, lane)) * glm::dvec3(m_light[stratum][lane]);
+                glm::dvec3(m_scratch.transmittance(stratum, lane)) * glm::dvec3(red[lane], green[lane], blue[lane]);
             if (m_harmonics != nullptr) {
                 const auto& [x, y, z] = m_block.direction[stratum];
                 m_harmonics->add(lane, {x[lane], y[lane], z[lane]}, light);

@@ -10,6 +10,7 @@
 #include "trace/directions.hpp"
 #include "trace/lane_harmonics.hpp"
 #include "trace/lane_parts.hpp"
+#include "trace/peak_directions.hpp"
 #include "trace/sky_peaks.hpp"
 #include "trace/tile_lanes.hpp"
 #include "trace/tile_rays.hpp"
@@ -51,8 +52,7 @@ private:
     StratumTables m_tables;
     SampleIndices m_indices;
     RayBlock m_block;
-    std::array<std::array<glm::vec3, RayBlock::lanes>, RayBlock::strata>
-        m_light{}; ///< E/π of a sample; of one that is faced, for harmonics
+    PeakSamples m_samples; ///< the light: E/π of a sample; of one that is faced, for harmonics
     std::array<glm::dvec3, RayBlock::lanes> m_sums{};
     Horizon m_horizon = Horizon::surface;
     LaneHarmonics* m_harmonics = nullptr; ///< while they are asked for

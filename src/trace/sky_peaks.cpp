@@ -1,283 +1,219 @@
 #include "trace/sky_peaks.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <locale>
 #include <numbers>
-#include <sstream>
+#include <span>
 #include <variant>
 
-#include <glm/geometric.hpp>
-
 #include "base/luminance.hpp"
+#include "trace/sky_solid_angle.hpp"
 
 namespace vkbake {
 
 namespace {
 
-constexpr int least_width = 16; ///< texels: no tent reaches over more than 22.5° on either side
+constexpr double choice_steps = 0x1p24;
 
-SineCosine azimuth(double x, int width) { return sine_cosine_degrees(360.0 * ((x + 0.5) / width - 0.5)); }
-
-SineCosine polar_angle(double y, int height) { return sine_cosine_degrees(180.0 * (y + 0.5) / height); }
-
-SineCosine turned(const SineCosine& from, const SineCosine& by) {
-    return {from.sine * by.cosine + from.cosine * by.sine, from.cosine * by.cosine - from.sine * by.sine};
-}
-
-/// Of a texel, where the cosine to its image's axis is what its place says: dω = dA / |d|³.
-double cube_solid_angle(double x, double y, int size) {
-    const double a = 2.0 * (x + 0.5) / size - 1.0;
-    const double b = 2.0 * (y + 0.5) / size - 1.0;
-    const double square = 1.0 + a * a + b * b;
-    return 4.0 / (static_cast<double>(size) * size) / (square * std::sqrt(square));
-}
-
-double panorama_solid_angle(double sine, int width, int height) {
-    return 2.0 * std::numbers::pi / width * (std::numbers::pi / height) * sine;
-}
-
-// The tent 1 − |t| and its distribution over [−1, 1].
+/// The distribution of the tent 1 − |t| over [−1, 1].
 double tent_until(double t) { return t < 0.0 ? 0.5 * (1.0 + t) * (1.0 + t) : 1.0 - 0.5 * (1.0 - t) * (1.0 - t); }
-
-double tent_at(double share) { return share < 0.5 ? std::sqrt(2.0 * share) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * share); }
 
 /// The part of a texel's tent along an axis that lies in its image.
 struct Clipped {
     Clipped(int place, int size)
-        : low(tent_until(std::max(-1.0, -0.5 - place))), high(tent_until(std::min(1.0, size - 0.5 - place))) {}
-    [[nodiscard]] double mass() const { return high - low; }
-    [[nodiscard]] double at(double share) const { return tent_at(low + share * (high - low)); }
-    double low, high;
+        : low(tent_until(std::max(-1.0, -0.5 - place))), mass(tent_until(std::min(1.0, size - 0.5 - place)) - low) {}
+    /// Halfway through what is left of the tent.
+    [[nodiscard]] double middle() const {
+        const double share = low + 0.5 * mass;
+        return share < 0.5 ? std::sqrt(2.0 * share) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * share);
+    }
+    double low, mass;
 };
 
-/// Of a sky's luminance, in steps of a quarter of an octave.
-class Histogram {
-public:
-    void add(double value, double solid_angle) {
-        m_whole.solid_angle += solid_angle;
-        m_whole.sum += solid_angle * value;
-        m_whole.squares += solid_angle * value * value;
-        if (value > 0.0) {
-            Step& step = m_steps[step_of(value)];
-            step.solid_angle += solid_angle;
-            step.sum += solid_angle * value;
-            step.squares += solid_angle * value * value;
-        }
+/// Whole steps, `choice_steps` in all and one at least of each, as near to the powers' shares as that allows.
+std::vector<double> steps_of(std::span<const double> powers) {
+    double all = 0.0;
+    for (const double power : powers) {
+        all += power;
     }
+    const double free = choice_steps - static_cast<double>(powers.size());
+    std::vector<double> steps;
+    double left = free;
+    for (const double power : powers) {
+        steps.push_back(1.0 + std::floor(free * (power / all)));
+        left -= steps.back() - 1.0;
+    }
+    steps[static_cast<std::size_t>(std::max_element(powers.begin(), powers.end()) - powers.begin())] += left;
+    return steps;
+}
 
-    [[nodiscard]] PeakCut best_cut() const {
-        const double all = m_whole.solid_angle;
-        const double mean = m_whole.sum / all;
-        PeakCut best{.variance_uncut = half_hidden(m_whole.squares / all, mean)};
-        best.variance = best.variance_uncut;
-        Step above;
-        for (std::size_t step = m_steps.size(); step-- > 1;) {
-            above.solid_angle += m_steps[step].solid_angle;
-            above.sum += m_steps[step].sum;
-            above.squares += m_steps[step].squares;
-            const double threshold = least_of(step);
-            if (threshold <= mean || above.sum == 0.0) {
-                continue;
-            }
-            const double peaks = (above.sum - threshold * above.solid_angle) / all;
-            const double rest = mean - peaks;
-            const double squares = (m_whole.squares - above.squares + threshold * threshold * above.solid_angle) / all;
-            const double variance = half_hidden(squares, rest) + half_hidden(peaks * peaks, peaks);
-            if (variance < best.variance) {
-                best = {threshold, peaks / mean, above.solid_angle / all, variance, best.variance_uncut};
-            }
-        }
-        return best;
+/// The options of one choice, side by side.
+std::vector<SkyPeaks::Option> options_of(std::span<const double> steps) {
+    std::vector<SkyPeaks::Option> options;
+    double begin = -1.0;
+    for (const double step : steps) {
+        const double end = begin + step * (2.0 / choice_steps);
+        SkyPeaks::Option& option = options.emplace_back();
+        option.begin = static_cast<float>(begin);
+        option.end = static_cast<float>(end);
+        begin = end;
     }
+    return options;
+}
 
-private:
-    struct Step {
-        double solid_angle = 0.0;
-        double sum = 0.0;
-        double squares = 0.0;
-    };
-    static constexpr int octaves = 300; ///< floats' and more
-    static constexpr std::array<double, 4> quarters{0.5, 0.59460355750136051, 0.70710678118654757, 0.84089641525371450};
-
-    /// The variance of what has this mean and this mean square where every second ray is blocked.
-    static double half_hidden(double squares, double mean) { return 0.5 * squares - 0.25 * mean * mean; }
-    static std::size_t step_of(double value) {
-        int octave = 0;
-        const double share = std::frexp(value, &octave);
-        const auto quarter = std::upper_bound(quarters.begin(), quarters.end(), share) - quarters.begin() - 1;
-        return static_cast<std::size_t>(4 * std::clamp(octave + octaves / 2, 0, octaves - 1) + quarter);
-    }
-    static double least_of(std::size_t step) {
-        return std::ldexp(quarters[step % 4], static_cast<int>(step / 4) - octaves / 2);
-    }
-
-    Step m_whole;
-    std::array<Step, 4 * octaves> m_steps{};
-};
-
-struct Measure {
-    PeakCut operator()(const EquirectangularLookup& sky) const {
-        const int width = sky.image.width();
-        const int height = sky.image.height();
-        Histogram histogram;
-        if (width < least_width || 2 * height < least_width) {
-            return {};
+SkyPeaks::Guides append_guides(std::span<const SkyPeaks::Option> options, std::vector<std::int32_t>& guides) {
+    const auto bits = static_cast<unsigned>(std::bit_width(options.size() - 1));
+    const SkyPeaks::Guides result{static_cast<std::int32_t>(guides.size()), static_cast<std::int32_t>(25U - bits)};
+    const std::size_t parts = std::size_t{1} << bits;
+    std::int32_t option = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const auto begin = 2.0F * static_cast<float>(part) / static_cast<float>(parts) - 1.0F;
+        while (options[static_cast<std::size_t>(option)].end <= begin) {
+            ++option;
         }
-        for (int y = 0; y < height; ++y) {
-            const double solid_angle = panorama_solid_angle(polar_angle(y, height).sine, width, height);
-            for (int x = 0; x < width; ++x) {
-                histogram.add(luminance(glm::dvec3(sky.image.at(0, x, y))), solid_angle);
-            }
-        }
-        return histogram.best_cut();
+        guides.push_back(option);
     }
-    PeakCut operator()(const CubeLookup& sky) const {
-        const int size = sky.faces.width();
-        Histogram histogram;
-        for (int face = 0; face < 6; ++face) {
-            for (int y = 0; y < size; ++y) {
-                for (int x = 0; x < size; ++x) {
-                    histogram.add(luminance(glm::dvec3(sky.faces.at(face, x, y))), cube_solid_angle(x, y, size));
-                }
-            }
-        }
-        return 4 * size >= least_width ? histogram.best_cut() : PeakCut();
-    }
-    template<class Formula>
-    PeakCut operator()(const Formula& /*sky*/) const {
-        return {};
-    }
-};
+    guides.push_back(static_cast<std::int32_t>(options.size() - 1));
+    return result;
+}
+
+/// Whether anything is clipped off.
+bool clip(const Clipped& clipped, SkyPeaks::Option& option) {
+    option.tent_low = static_cast<float>(clipped.low);
+    option.tent_mass = static_cast<float>(clipped.mass);
+    return clipped.mass < 1.0;
+}
+
+double polar_degrees(double y, int height) { return 180.0 * (y + 0.5) / height; }
+
+float cube_coordinate(int place, int size) { return static_cast<float>((2.0 * place + 1.0) / size - 1.0); }
 
 } // namespace
 
-PeakCut find_peaks(const SkyLookup& sky) { return std::visit(Measure(), sky); }
-
-std::string describe(const PeakCut& cut) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(2);
-    text << 100.0 * cut.light_share << " % of the sky's light comes from " << 100.0 * cut.solid_share
-         << " % of its solid angle";
-    return text.str();
-}
-
 SkyPeaks::SkyPeaks(SkyLookup& sky, double threshold) {
+    std::vector<Excess> excess;
     if (auto* const panorama = std::get_if<EquirectangularLookup>(&sky)) {
         m_width = panorama->image.width();
         m_height = panorama->image.height();
         m_turn = panorama->turn;
-        for (int x = -1; x <= m_width; ++x) {
-            m_columns.push_back(azimuth(x, m_width));
-        }
-        for (int y = -1; y <= m_height; ++y) {
-            m_rows.push_back(polar_angle(y, m_height));
-        }
-        collect(panorama->image, 1, threshold);
+        excess = cut(panorama->image, 1, threshold);
     } else if (auto* const cube = std::get_if<CubeLookup>(&sky)) {
         m_cube = true;
         m_width = m_height = cube->faces.width();
         m_turn = cube->turn;
-        collect(cube->faces, 6, threshold);
+        excess = cut(cube->faces, 6, threshold);
+        place_faces(cube->turn);
     }
-    finish();
+    add_rows(excess);
+    add_peaks(excess);
 }
 
-void SkyPeaks::collect(BorderedImages& images, int image_count, double threshold) {
+std::vector<SkyPeaks::Excess> SkyPeaks::cut(BorderedImages& images, int image_count, double threshold) const {
+    std::vector<Excess> result;
     for (int image = 0; image < image_count; ++image) {
         for (int y = -1; y <= m_height; ++y) {
-            const std::size_t first = m_peaks.size();
             for (int x = -1; x <= m_width; ++x) {
                 glm::vec3& texel = images.at(image, x, y);
                 const double bright = luminance(glm::dvec3(texel));
                 if (bright > threshold) {
                     const glm::vec3 rest = packed_below(glm::vec3(glm::dvec3(texel) * (threshold / bright)));
-                    m_peaks.push_back({image, x, y, glm::dvec3(texel) - glm::dvec3(rest)});
+                    result.push_back({image, x, y, glm::dvec3(texel) - glm::dvec3(rest)});
+                    result.back().power = power(result.back());
                     texel = rest;
                 }
             }
-            if (m_peaks.size() > first) {
-                m_peak_rows.push_back({first});
-            }
         }
     }
+    return result;
 }
 
-void SkyPeaks::finish() {
+double SkyPeaks::power(const Excess& excess) const {
+    const Clipped across(excess.x, m_width);
+    const Clipped down(excess.y, m_height);
+    // A ring's texels are met beside the border, not at their own centres; poles included.
+    const double x = excess.x + across.middle();
+    const double y = excess.y + down.middle();
+    const double solid_angle =
+        m_cube ? cube_solid_angle(x, y, m_width)
+               : panorama_solid_angle(sine_cosine_degrees(polar_degrees(y, m_height)).sine, m_width, m_height);
+    return luminance(excess.light) * across.mass * down.mass * std::max(solid_angle, 0.0);
+}
+
+void SkyPeaks::add_rows(const std::vector<Excess>& excess) {
     std::vector<double> powers;
-    double all = 0.0;
-    for (const Peak& peak : m_peaks) {
-        const Clipped across(peak.x, m_width);
-        const Clipped down(peak.y, m_height);
-        const double volume = across.mass() * down.mass();
-        // A ring's texels are met beside the border, not at their own centres; poles included.
-        const double solid_angle = place(peak, across.at(0.5), down.at(0.5)).solid_angle;
-        powers.push_back(luminance(peak.light) * volume * std::max(solid_angle, 0.0));
-        all += powers.back();
-    }
-    double until = 0.0;
-    for (std::size_t row = 0; row < m_peak_rows.size(); ++row) {
-        const std::size_t end = row + 1 < m_peak_rows.size() ? m_peak_rows[row + 1].first : m_peaks.size();
-        double in_row = 0.0;
-        for (std::size_t i = m_peak_rows[row].first; i < end; ++i) {
-            Peak& peak = m_peaks[i];
-            const double probability = powers[i] / all;
-            const double volume = Clipped(peak.x, m_width).mass() * Clipped(peak.y, m_height).mass();
-            in_row += probability;
-            peak.until = in_row;
-            peak.light *= volume / (std::numbers::pi * probability);
+    for (std::size_t i = 0; i < excess.size(); ++i) {
+        if (i == 0 || excess[i].y != excess[i - 1].y || excess[i].image != excess[i - 1].image) {
+            Row& row = m_rows.emplace_back();
+            row.first = static_cast<std::int32_t>(i);
+            row.image = excess[i].image;
+            const SineCosine polar = sine_cosine_degrees(polar_degrees(excess[i].y, m_height));
+            row.cosine = m_cube ? cube_coordinate(excess[i].y, m_height) : static_cast<float>(polar.cosine);
+            row.sine = m_cube ? 0.0F : static_cast<float>(polar.sine);
+            powers.push_back(0.0);
         }
-        until += in_row;
-        m_peak_rows[row].until = until;
+        powers.back() += excess[i].power;
     }
-    m_peak_rows.back().until = 1.0; // whatever rounding has left
-}
-
-double SkyPeaks::probability(std::size_t peak) const {
-    const bool begins =
-        std::any_of(m_peak_rows.begin(), m_peak_rows.end(), [&](const PeakRow& row) { return row.first == peak; });
-    return m_peaks[peak].until - (begins ? 0.0 : m_peaks[peak - 1].until);
-}
-
-SkyPeaks::Placed SkyPeaks::place(const Peak& peak, double across, double down) const {
-    if (m_cube) {
-        const double x = peak.x + across;
-        const double y = peak.y + down;
-        const glm::dvec3 direction = cube_direction(peak.image, (x + 0.5) / m_width, (y + 0.5) / m_width);
-        return {glm::normalize(direction), cube_solid_angle(x, y, m_width)};
+    const std::vector<double> steps = steps_of(powers);
+    const std::vector<Option> options = options_of(steps);
+    m_guides_of_rows = append_guides(options, m_row_guides);
+    for (std::size_t row = 0; row < m_rows.size(); ++row) {
+        m_rows[row].option = options[row];
+        const Clipped down(excess[static_cast<std::size_t>(m_rows[row].first)].y, m_height);
+        m_clips = clip(down, m_rows[row].option) || m_clips;
+        const std::size_t end =
+            row + 1 < m_rows.size() ? static_cast<std::size_t>(m_rows[row + 1].first) : excess.size();
+        m_probabilities.resize(end, steps[row] / choice_steps);
     }
-    // From the texel's centre by no more than a texel: short polynomials do for that.
-    const auto around = turned(m_columns[static_cast<std::size_t>(std::int64_t{peak.x} + 1)],
-                               sine_cosine(across * (2.0 * std::numbers::pi / m_width)));
-    const auto polar = turned(m_rows[static_cast<std::size_t>(std::int64_t{peak.y} + 1)],
-                              sine_cosine(down * (std::numbers::pi / m_height)));
-    return {{polar.sine * around.cosine, polar.cosine, polar.sine * around.sine},
-            panorama_solid_angle(polar.sine, m_width, m_height)};
 }
 
-SkyPeaks::Sample SkyPeaks::sample(double u, double v) const {
-    const auto row = std::upper_bound(m_peak_rows.begin(), m_peak_rows.end() - 1, v,
-                                      [](double value, const PeakRow& some) { return value < some.until; });
-    const double before = row == m_peak_rows.begin() ? 0.0 : (row - 1)->until;
-    const auto first = m_peaks.begin() + static_cast<std::ptrdiff_t>(row->first);
-    const auto end =
-        row + 1 == m_peak_rows.end() ? m_peaks.end() : m_peaks.begin() + static_cast<std::ptrdiff_t>((row + 1)->first);
-    const double target = u * (end - 1)->until;
-    const auto peak =
-        std::upper_bound(first, end - 1, target, [](double value, const Peak& some) { return value < some.until; });
-    const double in_row = peak == first ? 0.0 : (peak - 1)->until;
-    const double left_u = std::clamp((target - in_row) / (peak->until - in_row), 0.0, 1.0);
-    const double left_v = std::clamp((v - before) / (row->until - before), 0.0, 1.0);
-    const Placed placed = place(*peak, Clipped(peak->x, m_width).at(left_u), Clipped(peak->y, m_height).at(left_v));
-    const glm::dvec3& d = placed.direction;
+void SkyPeaks::add_peaks(const std::vector<Excess>& excess) {
     const auto sine = static_cast<double>(m_turn.sine);
     const auto cosine = static_cast<double>(m_turn.cosine);
-    return {.direction = glm::vec3(d.x * cosine + d.z * sine, d.y, d.z * cosine - d.x * sine),
-            .light = glm::vec3(peak->light * placed.solid_angle),
-            .peak = static_cast<std::size_t>(peak - m_peaks.begin())};
+    for (std::size_t number = 0; number < m_rows.size(); ++number) {
+        Row& row = m_rows[number];
+        const auto first = static_cast<std::size_t>(row.first);
+        const std::size_t end =
+            number + 1 < m_rows.size() ? static_cast<std::size_t>(m_rows[number + 1].first) : excess.size();
+        const std::span<const Excess> in_row(&excess[first], end - first);
+        std::vector<double> powers;
+        for (const Excess& some : in_row) {
+            powers.push_back(some.power);
+        }
+        const std::vector<double> steps = steps_of(powers);
+        const std::vector<Option> options = options_of(steps);
+        row.guides = append_guides(options, m_peak_guides);
+        for (std::size_t i = 0; i < in_row.size(); ++i) {
+            double& probability = m_probabilities[m_peaks.size()];
+            probability *= steps[i] / choice_steps;
+            const Clipped across(in_row[i].x, m_width);
+            const double volume = across.mass * static_cast<double>(row.option.tent_mass);
+            // The sky's turn is in it: (x, z) → (x cos + z sin, z cos − x sin) takes the turn from the azimuth.
+            const SineCosine azimuth = sine_cosine_degrees(360.0 * ((in_row[i].x + 0.5) / m_width - 0.5));
+            const glm::vec3 light(in_row[i].light * (volume / (std::numbers::pi * probability)));
+            Peak& peak = m_peaks.emplace_back();
+            peak.option = options[i];
+            m_clips = clip(across, peak.option) || m_clips;
+            peak.cosine = m_cube ? cube_coordinate(in_row[i].x, m_width)
+                                 : static_cast<float>(azimuth.cosine * cosine + azimuth.sine * sine);
+            peak.sine = m_cube ? 0.0F : static_cast<float>(azimuth.sine * cosine - azimuth.cosine * sine);
+            peak.light = {light.x, light.y, light.z};
+        }
+    }
+}
+
+void SkyPeaks::place_faces(const SkyTurn& turn) {
+    const auto turned = [&](const glm::dvec3& d) {
+        const auto sine = static_cast<double>(turn.sine);
+        const auto cosine = static_cast<double>(turn.cosine);
+        return glm::vec3(d.x * cosine + d.z * sine, d.y, d.z * cosine - d.x * sine);
+    };
+    for (std::size_t number = 0; number < m_faces.size(); ++number) {
+        const auto face = static_cast<int>(number);
+        const glm::dvec3 axis = cube_direction(face, 0.5, 0.5);
+        m_faces[number] = {turned(axis), turned(cube_direction(face, 1.0, 0.5) - axis),
+                           turned(cube_direction(face, 0.5, 1.0) - axis)};
+    }
 }
 
 } // namespace vkbake

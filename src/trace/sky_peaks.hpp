@@ -1,8 +1,9 @@
-// What of a sky's picture is too bright to be found by chance: its sun, its lamps.
+// The brightest places of a sky's picture, ready to be sampled.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <string>
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -11,78 +12,97 @@
 
 namespace vkbake {
 
-/// A sky cut in two at a radiance T: of a texel that is brighter (luminance), what T leaves is a *peak*. Look-ups being
-/// linear in the texels, the sky is what it was: the sum of the picture cut off at T and of the peaks' tents.
-struct PeakCut {
-    double threshold = 0.0;   ///< T
-    double light_share = 0.0; ///< what the peaks send of all the sky's light
-    double solid_share = 0.0; ///< of the sphere, where they are
-    double variance = 0.0;    ///< of a sample's luminance, the peaks' sampled on its own (see find_peaks)
-    double variance_uncut = 0.0;
-    /// Rays of their own for the peaks are worth it where they do more than as many rays more by the cosine: scrambled
-    /// nets take a variance to 2^−1.5 by twice the rays, and so much must the cut take away, and a little more.
-    [[nodiscard]] bool worthwhile() const { return variance < 0.25 * variance_uncut; }
-};
-
-/// The cut at a quarter-octave of radiance that leaves the least variance. A sample's variance is taken for that of the
-/// sky's luminance over the sphere where every second ray is blocked; the peaks' own samples all bring the same then.
-/// Skies that are no pictures, or narrower than 16 texels, have no peaks: nothing is worthwhile.
-[[nodiscard]] PeakCut find_peaks(const SkyLookup& sky);
-
-/// "83 % of the sky's light comes from 0.003 % of its solid angle"
-[[nodiscard]] std::string describe(const PeakCut& cut);
-
-/// Directions to the peaks, in proportion to what they send. Holds the peaks that it took out of a picture.
+/// The peaks (PeakCut) that were taken out of a picture, as tables for trace/peak_directions.hpp. A row of the picture
+/// is chosen first, then a peak in it, then a point of the peak's tent.
+///
+/// Choices are made by a number of 24 binary digits, each option's share being whole steps of 2⁻²⁴, one at least: so
+/// that its probability is exact, and nothing is lost beside a sun.
 class SkyPeaks {
 public:
-    struct Sample {
-        glm::vec3 direction{0.0F}; ///< unit, of the scene
-        glm::vec3 light{0.0F};     ///< cos θ times this is on average what the peaks add to E/π
-        std::size_t peak = 0;      ///< < count()
-    };
-
     /// Cuts off `sky`'s picture at the threshold; there is something above it.
     SkyPeaks(SkyLookup& sky, double threshold);
 
-    /// `u`, `v`: uniform in (0, 1). v chooses a row of the picture, u a texel in it, and what is left of both a point
-    /// of the texel's tent; so points beside each other give directions beside each other, and stratified ones
-    /// stratified ones.
-    [[nodiscard]] Sample sample(double u, double v) const;
-
     [[nodiscard]] std::size_t count() const { return m_peaks.size(); }
-    [[nodiscard]] double probability(std::size_t peak) const;
+    [[nodiscard]] double probability(std::size_t peak) const { return m_probabilities[peak]; }
+
+    /// An option of a choice, and the part of a texel's tent, along one axis, that lies in its picture. Numbers that
+    /// choose lie in (−1, 1).
+    struct Option {
+        float begin = 0.0F;
+        float end = 0.0F;       ///< > begin: the next one's begin; of the last one 1
+        float tent_low = 0.0F;  ///< of the tent's distribution
+        float tent_mass = 1.0F; ///< of it between the borders
+    };
+    /// A guide table (Chen and Asau 1974). It cuts (−1, 1) into a power of two of equal parts, about one an option: the
+    /// part's entry is the first option that a number of it may choose, the next entry the last one.
+    struct Guides {
+        std::int32_t first = 0; ///< entry
+        std::int32_t shift = 0; ///< x = n / 2²⁴ − 1 lies in part n >> shift
+    };
+    /// Where its texels' centres are: cosine and sine of the polar angle; of a cube the coordinate down, and 0.
+    struct Row {
+        Option option;
+        float cosine = 0.0F;
+        float sine = 0.0F;
+        std::int32_t image = 0;
+        std::int32_t first = 0; ///< in peaks()
+        Guides guides;          ///< in peak_guides()
+    };
+    /// Where the texel's centre is: cosine and sine of the azimuth; of a cube the coordinate across, and 0.
+    struct Peak {
+        Option option;
+        float cosine = 0.0F;
+        float sine = 0.0F;
+        std::array<float, 3> light{}; ///< what a sample brings to E/π, by the solid angle of a texel and cos θ
+    };
+    [[nodiscard]] const std::vector<Row>& rows() const { return m_rows; }
+    [[nodiscard]] const std::vector<Peak>& peaks() const { return m_peaks; }
+
+    [[nodiscard]] const Guides& guides_of_rows() const { return m_guides_of_rows; }
+    [[nodiscard]] const std::vector<std::int32_t>& row_guides() const { return m_row_guides; }
+    [[nodiscard]] const std::vector<std::int32_t>& peak_guides() const { return m_peak_guides; }
+
+    /// A cube's direction is axis + across · a + down · b. In the scene.
+    struct Face {
+        glm::vec3 axis{0.0F};
+        glm::vec3 across{0.0F};
+        glm::vec3 down{0.0F};
+    };
+    [[nodiscard]] bool is_cube() const { return m_cube; }
+    [[nodiscard]] const std::array<Face, 6>& faces() const { return m_faces; }
+    /// Whether any tent reaches over a border.
+    [[nodiscard]] bool clips() const { return m_clips; }
+    [[nodiscard]] int width() const { return m_width; }
+    [[nodiscard]] int height() const { return m_height; }
 
 private:
     /// A texel's excess. Those of a ring around an image count too: the tent of a texel reaches over its border.
-    struct Peak {
+    struct Excess {
         int image = 0;
         int x = 0;
         int y = 0;
-        glm::dvec3 light{0.0}; ///< excess · the tent's volume / (π · probability)
-        double until = 0.0;    ///< Σ of probabilities in the row, this one's with it
-    };
-    struct PeakRow {
-        std::size_t first = 0; ///< in m_peaks
-        double until = 0.0;    ///< Σ of probabilities, this one's with it
+        glm::dvec3 light{0.0};
+        double power = 0.0; ///< in proportion to what it sends
     };
 
-    void collect(BorderedImages& images, int image_count, double threshold);
-    void finish();
-    /// Direction of a point of the picture, and the solid angle of a texel there.
-    struct Placed {
-        glm::dvec3 direction{0.0};
-        double solid_angle = 0.0;
-    };
-    [[nodiscard]] Placed place(const Peak& peak, double across, double down) const;
+    [[nodiscard]] std::vector<Excess> cut(BorderedImages& images, int image_count, double threshold) const;
+    [[nodiscard]] double power(const Excess& excess) const;
+    void add_rows(const std::vector<Excess>& excess);
+    void add_peaks(const std::vector<Excess>& excess);
+    void place_faces(const SkyTurn& turn);
 
     bool m_cube = false;
+    bool m_clips = false;
     int m_width = 0;
     int m_height = 0;
     SkyTurn m_turn;
-    std::vector<SineCosine> m_columns; ///< equirectangular: of the azimuth of column x, from −1 on
-    std::vector<SineCosine> m_rows;    ///< of the polar angle of row y, from −1 on
+    std::array<Face, 6> m_faces{};
+    std::vector<Row> m_rows;
     std::vector<Peak> m_peaks;
-    std::vector<PeakRow> m_peak_rows;
+    Guides m_guides_of_rows;
+    std::vector<std::int32_t> m_row_guides;
+    std::vector<std::int32_t> m_peak_guides;
+    std::vector<double> m_probabilities; ///< of peaks
 };
 
 } // namespace vkbake

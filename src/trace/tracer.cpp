@@ -15,6 +15,7 @@
 #include "trace/check_settings.hpp"
 #include "trace/gather_tracer.hpp"
 #include "trace/lamp_set.hpp"
+#include "trace/peak_cut.hpp"
 #include "trace/sampled_map.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/sky_peaks.hpp"

@@ -8,13 +8,18 @@
 #include <numbers>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include "amount.hpp"
 #include "base/luminance.hpp"
 #include "base/random.hpp"
 #include "chi_squared.hpp"
+#include "highway_targets.hpp"
+#include "trace/peak_cut.hpp"
+#include "trace/peak_directions.hpp"
 #include "trace/sky_sum.hpp"
 
 namespace vkbake {
@@ -73,19 +78,68 @@ glm::dvec3 quadrature(const SkyLookup& sky, const glm::dvec3& normal) {
     return sum * (std::numbers::pi / (1.0 * steps * steps));
 }
 
+struct PeakSample {
+    glm::dvec3 direction{0.0};
+    glm::dvec3 light{0.0};
+    std::size_t peak = 0;
+};
+
+/// The samples of these points of the unit square, some blocks of them, put as set_points does.
+std::vector<PeakSample> samples_at(const SkyPeaks& peaks, const std::vector<glm::dvec2>& points) {
+    std::vector<PeakSample> result;
+    RayBlock block;
+    PeakSamples samples;
+    for (std::size_t first = 0; first + RayBlock::rays <= points.size(); first += RayBlock::rays) {
+        for (std::size_t i = 0; i < RayBlock::rays; ++i) {
+            auto& [x, y, z] = block.direction[i / RayBlock::lanes];
+            const auto number = [](double share) {
+                return static_cast<float>((2.0 * std::floor(share * 0x1p24) + 1.0) * 0x1p-24 - 1.0);
+            };
+            x[i % RayBlock::lanes] = number(points[first + i].x);
+            y[i % RayBlock::lanes] = number(points[first + i].y);
+        }
+        set_peak_directions(peaks, block, samples);
+        for (std::size_t i = 0; i < RayBlock::rays; ++i) {
+            const std::size_t stratum = i / RayBlock::lanes;
+            const std::size_t lane = i % RayBlock::lanes;
+            const auto vector = [&](const std::array<RayBlock::LaneRow, 3>& rows) {
+                return glm::dvec3(rows[0][lane], rows[1][lane], rows[2][lane]);
+            };
+            result.push_back(
+                {vector(block.direction[stratum]), vector(samples.light[stratum]), samples.peak[stratum][lane]});
+        }
+    }
+    return result;
+}
+
+/// At least `count`, in whole blocks.
+std::vector<glm::dvec2> random_points(std::uint64_t key, int count) {
+    const std::size_t whole = (static_cast<std::size_t>(count) + RayBlock::rays - 1) / RayBlock::rays * RayBlock::rays;
+    std::vector<glm::dvec2> points;
+    for (std::size_t i = 0; i < whole; ++i) {
+        const auto number = [&] { return (static_cast<double>(mix64(++key) >> 11U) + 0.5) * 0x1p-53; };
+        const double u = number();
+        points.emplace_back(u, number());
+    }
+    return points;
+}
+
 /// What the peaks add to it, by a sequence of low discrepancy (M. Roberts's R2).
 glm::dvec3 of_peaks(const SkyPeaks& peaks, const glm::dvec3& normal) {
     const int count = test::amount(1'000'000, 20'000);
-    glm::dvec3 sum(0.0);
-    double u = 0.5;
-    double v = 0.5;
+    std::vector<glm::dvec2> points;
+    glm::dvec2 point(0.5);
     for (int i = 0; i < count; ++i) {
-        u = u + 0.7548776662466927 < 1.0 ? u + 0.7548776662466927 : u + 0.7548776662466927 - 1.0;
-        v = v + 0.5698402909980532 < 1.0 ? v + 0.5698402909980532 : v + 0.5698402909980532 - 1.0;
-        const SkyPeaks::Sample sample = peaks.sample(u, v);
-        sum += std::max(glm::dot(normal, glm::dvec3(sample.direction)), 0.0) * glm::dvec3(sample.light);
+        point = glm::fract(point + glm::dvec2(0.7548776662466927, 0.5698402909980532));
+        points.push_back(point);
     }
-    return sum / (1.0 * count);
+    glm::dvec3 sum(0.0);
+    const std::vector<PeakSample> samples = samples_at(peaks, points);
+    for (const PeakSample& sample : samples) {
+        EXPECT_NEAR(glm::length(sample.direction), 1.0, 0x1p-21);
+        sum += std::max(glm::dot(normal, sample.direction), 0.0) * sample.light;
+    }
+    return sum / static_cast<double>(samples.size());
 }
 
 TEST(SkyPeaks, WithTheRestGiveTheLightOfTheWhole) {
@@ -112,7 +166,6 @@ TEST(SkyPeaks, LeaveNothingAboveTheThreshold) {
     const PeakCut cut = find_peaks(sky);
     const SkyPeaks peaks(sky, cut.threshold);
     EXPECT_GE(peaks.count(), 5U);
-    EXPECT_NEAR(glm::length(peaks.sample(0.3, 0.6).direction), 1.0F, 1e-6F);
     for (std::uint64_t i = 0; i < 2000; ++i) {
         const auto number = [&](std::uint64_t part) {
             return static_cast<double>(mix64(3 * i + part) >> 11U) * 0x1p-52;
@@ -159,19 +212,19 @@ TEST(SkyPeaks, SamplesComeAsOftenAsTheirProbabilitySays) {
         SkyLookup lookup = make_sky_lookup(sky);
         const SkyPeaks peaks(lookup, find_peaks(lookup).threshold);
         std::vector<double> counts(peaks.count(), 0.0);
-        const int samples = test::amount(200'000, 20'000);
         std::array<std::uint32_t, 16> quarters{};
-        for (int i = 0; i < samples; ++i) {
-            const auto number = [&] { return (static_cast<double>(mix64(++key) >> 11U) + 0.5) * 0x1p-53; };
-            const double u = number();
-            const double v = number();
-            counts[peaks.sample(u, v).peak] += 1.0;
-            ++quarters[static_cast<std::size_t>(4.0 * u) + 4 * static_cast<std::size_t>(4.0 * v)];
+        const std::vector<glm::dvec2> points = random_points(key, test::amount(200'000, 20'000));
+        key += 2 * points.size();
+        for (const glm::dvec2& point : points) {
+            ++quarters[static_cast<std::size_t>(4.0 * point.x) + 4 * static_cast<std::size_t>(4.0 * point.y)];
+        }
+        for (const PeakSample& sample : samples_at(peaks, points)) {
+            counts[sample.peak] += 1.0;
         }
         double statistic = 0.0;
         double whole = 0.0;
         for (std::size_t peak = 0; peak < counts.size(); ++peak) {
-            const double expected = peaks.probability(peak) * samples;
+            const double expected = peaks.probability(peak) * static_cast<double>(points.size());
             ASSERT_GT(expected, 5.0);
             statistic += (counts[peak] - expected) * (counts[peak] - expected) / expected;
             whole += peaks.probability(peak);
@@ -189,13 +242,11 @@ TEST(SkyPeaks, SamplesOfATexelFollowItsTent) {
     const SkyPeaks peaks(lookup, find_peaks(lookup).threshold);
     ASSERT_EQ(peaks.count(), 1U);
     constexpr int bins = 20;
-    const int samples = test::amount(100'000, 10'000);
+    const std::vector<glm::dvec2> points = random_points(0, test::amount(100'000, 10'000));
+    const auto samples = static_cast<double>(points.size());
     std::array<std::array<double, bins>, 2> counts{};
-    for (int i = 0; i < samples; ++i) {
-        const auto number = [&](std::uint64_t part) {
-            return (static_cast<double>(mix64(2 * static_cast<std::uint64_t>(i) + part) >> 11U) + 0.5) * 0x1p-53;
-        };
-        const glm::dvec3 d(peaks.sample(number(0), number(1)).direction);
+    for (const PeakSample& sample : samples_at(peaks, points)) {
+        const glm::dvec3& d = sample.direction;
         const double x = (std::atan2(d.z, d.x) / (2.0 * std::numbers::pi) + 0.5) * 32.0 - 0.5 - 24.0;
         const double y = std::acos(d.y) / std::numbers::pi * 16.0 - 0.5 - 8.0;
         for (const auto& [axis, t] : {std::pair{0, x}, std::pair{1, y}}) {
@@ -214,6 +265,45 @@ TEST(SkyPeaks, SamplesOfATexelFollowItsTent) {
         }
         EXPECT_GT(test::chi_squared_tail(statistic, bins - 1), test::corrected_level(1e-4, 2));
     }
+}
+
+TEST(SkyPeaks, AreSampledAlikeOnEveryTarget) {
+    for (const Sky& sky : {panorama_with_suns(), cube_with_suns()}) {
+        SkyLookup lookup = make_sky_lookup(sky);
+        const SkyPeaks peaks(lookup, find_peaks(lookup).threshold);
+        const std::vector<glm::dvec2> points = random_points(0, 2048);
+        std::vector<PeakSample> first;
+        test::for_every_target([&] {
+            const std::vector<PeakSample> samples = samples_at(peaks, points);
+            if (first.empty()) {
+                first = samples;
+            }
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                ASSERT_EQ(samples[i].peak, first[i].peak);
+                ASSERT_EQ(samples[i].direction, first[i].direction);
+                ASSERT_EQ(samples[i].light, first[i].light);
+            }
+        });
+    }
+}
+
+TEST(SkyPeaks, BesideASunLoseNothing) {
+    // A sun of 10⁹ and, in its row, texels whose share is far below a step of the choosing number: their light, the
+    // sum of powers by what is sampled, is all there.
+    const auto value = [](int x, int y) { return glm::vec3(y != 8 ? 0.0F : x == 24 ? 1e9F : 0.5F); };
+    SkyLookup lookup = make_sky_lookup({.source = EquirectangularSky{image_of(32, 16, value)}});
+    const SkyPeaks peaks(lookup, 0.25);
+    double dim = 0.0;
+    double whole = 0.0;
+    for (std::size_t peak = 0; peak < peaks.count(); ++peak) {
+        EXPECT_GE(peaks.probability(peak), 0x1p-24);
+        whole += peaks.probability(peak);
+        const double light = peaks.probability(peak) * static_cast<double>(peaks.peaks()[peak].light[0]);
+        dim += light < 1.0 ? light : 0.0;
+    }
+    EXPECT_NEAR(whole, 1.0, 1e-15);
+    // 31 texels, their picture wrapping, of an excess of a quarter (what packs below it is left), each by 1 / π.
+    EXPECT_NEAR(dim, 31 * 0.25 / std::numbers::pi, 0.01 * dim);
 }
 
 } // namespace
