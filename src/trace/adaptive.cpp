@@ -135,6 +135,7 @@ private:
         if (m_estimate.relative_rmse() < near_the_end * *m_goal.error) {
             double_worst(needs, worst_factor * target, allocation);
         }
+        hold_back(needs, allocation);
         return orders_of(allocation);
     }
 
@@ -161,6 +162,38 @@ private:
             }
         }
         return orders;
+    }
+
+    /// Where one pass would bring most of what is foretold, only the half of its samples that gains most is left in the
+    /// order: how the variance falls from here on is known too roughly to be bound to all of it. No tile is traced in
+    /// more steps for that.
+    void hold_back(const std::vector<TileNeed>& needs, Allocation& allocation) const {
+        constexpr double worth_a_pass = 0.04; // of the samples so far
+        std::vector<std::pair<double, std::size_t>> gains;
+        double samples = 0.0;
+        for (std::size_t tile = 0; tile < needs.size(); ++tile) {
+            if (allocation.doublings[tile] > 0) {
+                gains.emplace_back(-gain_a_sample(needs[tile], m_estimate.ratio), tile);
+                samples += samples_in_pass(needs[tile], allocation.doublings[tile]);
+            }
+        }
+        if (samples < worth_a_pass * m_result.samples || samples < 0.5 * allocation.samples) {
+            return;
+        }
+        std::sort(gains.begin(), gains.end());
+        double ordered = 0.0;
+        for (const auto& [gain, tile] : gains) {
+            if (ordered >= 0.5 * samples) {
+                allocation.doublings[tile] = 0;
+            } else {
+                ordered += samples_in_pass(needs[tile], allocation.doublings[tile]);
+            }
+        }
+    }
+
+    [[nodiscard]] static double samples_in_pass(const TileNeed& need, unsigned doublings) {
+        return static_cast<double>(need.texels) * static_cast<double>(need.rays) *
+               static_cast<double>((1U << std::min(doublings, doublings_a_pass)) - 1U);
     }
 
     /// Of the tiles whose texels err by more than `limit`, doubles the least bad, until the others are no more than the

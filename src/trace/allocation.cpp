@@ -8,18 +8,13 @@ namespace vkbake {
 
 namespace {
 
-/// What a sample takes away from a tile's variance, on average over its next doubling.
-double gain(const TileNeed& need, double ratio) {
-    return need.variance * (1.0 - ratio) / (static_cast<double>(need.texels) * static_cast<double>(need.rays));
-}
-
 /// All doublings in which a sample takes away `price` or more.
 Allocation allocate_at(std::span<const TileNeed> needs, double ratio, double price) {
     Allocation result;
     result.doublings.assign(needs.size(), 0);
     for (std::size_t tile = 0; tile < needs.size(); ++tile) {
         TileNeed need = needs[tile];
-        while (need.rays < most_rays && gain(need, ratio) >= price && need.variance > 0.0) {
+        while (need.rays < most_rays && gain_a_sample(need, ratio) >= price && need.variance > 0.0) {
             result.samples += static_cast<double>(need.texels) * static_cast<double>(need.rays);
             need.variance *= ratio;
             need.rays *= 2;
@@ -35,7 +30,7 @@ template<typename Enough>
 Allocation allocate(std::span<const TileNeed> needs, double ratio, bool at_most, const Enough& enough) {
     double high = 0.0;
     for (const TileNeed& need : needs) {
-        high = std::max(high, gain(need, ratio));
+        high = std::max(high, gain_a_sample(need, ratio));
     }
     high *= 2.0;               // nothing is bought at this price
     double low = high * 1e-30; // and all that most_rays allows at this
@@ -51,6 +46,10 @@ Allocation allocate(std::span<const TileNeed> needs, double ratio, bool at_most,
 }
 
 } // namespace
+
+double gain_a_sample(const TileNeed& need, double ratio) {
+    return need.variance * (1.0 - ratio) / (static_cast<double>(need.texels) * static_cast<double>(need.rays));
+}
 
 Allocation allocate_for_variance(std::span<const TileNeed> needs, double ratio, double variance) {
     return allocate(needs, ratio, false, [&](const Allocation& allocation) { return allocation.variance <= variance; });

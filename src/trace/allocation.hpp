@@ -22,6 +22,9 @@ struct Allocation {
     double samples = 0.0;                ///< that it takes, over all texels
 };
 
+/// What a sample takes away from a tile's variance, on average over its next doubling.
+[[nodiscard]] double gain_a_sample(const TileNeed& need, double ratio);
+
 // Doubling a tile's rays takes (1 − ratio) of its variance away for texels · rays samples: the tiles in which a sample
 // takes most away come first (Lagrange's condition, in powers of two). Both below give the cheapest such allocation.
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "amount.hpp"
+#include "base/random.hpp"
 #include "hand_made.hpp"
 #include "trace/contrasts.hpp"
 #include "trace/tracer.hpp"
@@ -191,6 +192,26 @@ TEST(TargetError, IsWhatTheMapHas) {
             EXPECT_GE(tally.share(tenth), 0.93) << target << ", tenth " << tenth;
         }
         EXPECT_LT(std::abs(bias), 0.1 * target); // the mean of 8192 texels errs by a ninetieth of it by chance
+    }
+}
+
+TEST(TargetError, IsNotOvershotWhereErrorsFallUnevenly) {
+    // A night of many small lamps: what a few samples tell of them is little, and each doubling brings more than the
+    // one before foretold.
+    Image night{.width = 64, .height = 32};
+    for (std::uint64_t i = 0; i < 64 * 32; ++i) {
+        night.texels.emplace_back(glm::vec3(mix64(i) % 32 == 0 ? 20.0F : 0.1F), 1.0F);
+    }
+    const Sky sky{.source = EquirectangularSky{night}};
+    const Roof roof;
+    for (const double target : cases<double>({0.3, 0.04})) {
+        Settings settings;
+        settings.target_error = target;
+        settings.sun = Switch::off;
+        const LightMap map = Tracer(roof.surface, sky, settings).trace(test::geometry_image(roof.points, roof_side));
+        EXPECT_TRUE(map.error->target_reached);
+        EXPECT_GT(map.error->relative_rmse, 0.9 * target) << target;
+        EXPECT_LE(map.error->relative_rmse, target) << target;
     }
 }
 
