@@ -28,6 +28,11 @@ struct Comparison {
 /// Throws Error{bad_input} where the sizes differ or no texel is covered by both.
 [[nodiscard]] Comparison compare(const Image& a, const Image& b);
 
+/// How different two pictures look that render() made: the mean of CIEDE2000 (Sharma, Wu and Dalal 2005) over the
+/// pixels that are not black in both; about 1 is the least difference of colours that is seen side by side. Pixel by
+/// pixel: noise finer than the eye's resolution counts as well. Throws Error{bad_input} where the sizes differ.
+[[nodiscard]] double color_difference(const Image& a, const Image& b);
+
 /// How far a bake is from a better one of the same atlas, over the covered texels of all maps: luminance (Rec. 709).
 struct BakeError {
     double relative_rmse = 0.0; ///< root-mean-square error ÷ the reference's mean, without what the reference's own

@@ -69,6 +69,32 @@ TradePoint measured(const std::string& flags, const Bake& bake, const Bake& refe
     return point;
 }
 
+/// Draws bakes of a scene, each from files in a folder of its own, which goes with this.
+class Pictures {
+public:
+    Pictures(const Scene& scene, const Sky& sky, const Device& device, const std::filesystem::path& folder)
+        : m_scene(&scene), m_sky(&sky), m_device(&device), m_folder(folder / "pictures.partial") {}
+    ~Pictures() {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_folder, ignored);
+    }
+    Pictures(const Pictures&) = delete;
+    Pictures& operator=(const Pictures&) = delete;
+
+    /// In no other light than the maps'.
+    [[nodiscard]] Image draw(const Bake& bake) const {
+        (void)write_bake(*m_scene, bake, {.directory = m_folder});
+        const Scene baked = load_scene(m_folder / (m_scene->name + ".glb"));
+        return render(baked, *m_sky, {.width = 640, .height = 360, .show_sky = false}, *m_device);
+    }
+
+private:
+    const Scene* m_scene;   ///< never null
+    const Sky* m_sky;       ///< never null
+    const Device* m_device; ///< never null
+    std::filesystem::path m_folder;
+};
+
 /// The points that no other beats in both time and error.
 void mark_frontier(std::vector<TradePoint>& points) {
     for (TradePoint& point : points) {
@@ -122,17 +148,20 @@ int run_tradeoff(TradeoffOptions options) {
     const Bake reference = bake(scene, sky, settings, device, progress);
     Trade trade{.scene = scene.name, .sky = sky.name, .size = options.settings.size};
     const DetailPlace place = choose_detail(reference);
+    const std::filesystem::path folder = options.output;
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    const Pictures pictures(scene, sky, device, folder);
+    const Image reference_drawn = pictures.draw(reference);
     for (const auto& [flags, tried] : sweep(options.settings)) {
         const Bake result = bake(scene, sky, tried, device, progress);
         trade.points.push_back(measured(flags, result, reference));
         trade.points.back().picture = detail_picture(result, reference, place);
+        trade.points.back().color_difference = color_difference(pictures.draw(result), reference_drawn);
     }
     trade.reference_picture = detail_picture(reference, reference, place);
     mark_frontier(trade.points);
     trade.recommended = recommended(trade.points);
-    const std::filesystem::path folder = options.output;
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
     write_text(folder / "tradeoff.json", trade_json(trade));
     write_text(folder / "tradeoff.svg", trade_plot(trade));
     write_text(folder / "tradeoff.html", trade_page(trade));

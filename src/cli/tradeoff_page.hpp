@@ -31,6 +31,7 @@ struct TradePoint {
     bool adaptive = false;
     bool denoised = false;
     BakeError error;
+    double color_difference = 0.0; ///< of a picture drawn with it from one drawn with the reference
     double rays_a_texel = 0.0;
     double seconds = 0.0; ///< tracing and denoising
     bool on_frontier = false;

@@ -77,7 +77,9 @@ TEST_F(Cli, ShowsTheTrade) {
     EXPECT_NE(page.find("<svg"), std::string::npos);
     EXPECT_NE(page.find("data:image/bmp;base64,"), std::string::npos);
     EXPECT_EQ(page.find("src='http"), std::string::npos); // it needs no network
-    EXPECT_FALSE(text_of(m_folder / "trade/tradeoff.json").empty());
+    EXPECT_NE(text_of(m_folder / "trade/tradeoff.json").find("\"color_difference\": "), std::string::npos);
+    const std::filesystem::directory_iterator files(m_folder / "trade");
+    EXPECT_EQ(std::distance(begin(files), end(files)), 3); // what pictures were drawn from is gone
 }
 
 } // namespace
