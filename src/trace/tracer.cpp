@@ -15,6 +15,7 @@
 #include "trace/check_settings.hpp"
 #include "trace/gather_tracer.hpp"
 #include "trace/lamp_set.hpp"
+#include "trace/resample_sky.hpp"
 #include "trace/sampled_map.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/sky_peaks.hpp"
@@ -122,7 +123,7 @@ struct Tracer::State {
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
           visibility(traced, accelerator_settings(asked), opacity_of_it, asked.ao_falloff) {
-        pack(radiance);
+        resample(radiance, threads);
     }
 
     [[nodiscard]] Workers make_workers(const GeometryImage& geometry) const {
