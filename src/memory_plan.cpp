@@ -23,7 +23,7 @@ constexpr std::uint64_t program_bytes = 256U << 20U;
 /// Surface 104, atlas 32, and the greater of what makes the atlas and of what builds and keeps the accelerator;
 /// measured 320 with a million triangles.
 constexpr std::uint64_t triangle_bytes = 500;
-/// RGBA as read is in `held`; RGB floats for look-ups, and what they are packed into beside them.
+/// RGBA as read is in `held`; RGB floats for look-ups, until the map that rays look up is made of them, and that map.
 constexpr std::uint64_t sky_texel_bytes = 16;
 /// Of every map until all are written: RGBA and coverage.
 constexpr std::uint64_t map_texel_bytes = 20;

@@ -11,9 +11,8 @@ scenes=("${@:3}")
 if [ ${#scenes[@]} -eq 0 ]; then
     scenes=(scenes/*.glb scenes/objects/*.glb)
 fi
-tools/setup.sh
-cmake --preset release -DVKBAKE_TOOLS=ON -DVKBAKE_BENCHMARKS=ON >/dev/null
-cmake --build --preset release --target vkbake_accuracy >/dev/null
-echo "$(nproc) cores, $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2 | xargs); commit $(git rev-parse --short HEAD 2>/dev/null || echo unknown)"
+. tools/release.sh
+build_release vkbake_accuracy -DVKBAKE_TOOLS=ON -DVKBAKE_BENCHMARKS=ON
+machine_and_commit
 echo
 build/release/tools/accuracy/vkbake_accuracy "$size" "$skies" "${scenes[@]}"

@@ -4,8 +4,7 @@
 # Needs Blender (apt-get install blender python3-numpy).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-tools/setup.sh
-cmake --preset release >/dev/null
-cmake --build --preset release --target vkbake_cli >/dev/null
-echo "$(blender --version | head -1); commit $(git rev-parse --short HEAD 2>/dev/null || echo unknown)"
+. tools/release.sh
+build_release vkbake_cli
+echo "$(blender --version | head -1); commit $(commit_name)"
 blender -b -noaudio -P tools/accuracy/cycles_light.py -- build/release/src/cli/vkbake "${1:-1024}" "${2:-256}" | grep '^|'

@@ -5,9 +5,8 @@
 # Needs valgrind (apt-get install valgrind).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-tools/setup.sh
-cmake --preset release >/dev/null
-cmake --build --preset release --target vkbake_cli >/dev/null
+. tools/release.sh
+build_release vkbake_cli
 exec python3 - "${1:-scenes/four-cannons.glb}" "${2:-64}" "${3:-256}" <<'PYTHON'
 import json, re, subprocess, sys, tempfile
 

@@ -5,11 +5,9 @@
 #   tools/plan-table.sh [SIZE [RUNS]]      256; 3 runs by turns, of which the median counts
 set -euo pipefail
 cd "$(dirname "$0")/.."
-
-tools/setup.sh
-cmake --preset release >/dev/null
-cmake --build --preset release --target vkbake_cli >/dev/null
-echo "$(nproc) cores, $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2 | xargs); commit $(git rev-parse --short HEAD 2>/dev/null || echo unknown)"
+. tools/release.sh
+build_release vkbake_cli
+machine_and_commit
 exec python3 - "${1:-256}" "${2:-3}" <<'PYTHON'
 import json, math, os, statistics, subprocess, sys, tempfile
 

@@ -216,12 +216,4 @@ SkyLookup make_sky_lookup(const Sky& sky) {
     return std::visit(MakeLookup{SkyTurn(sky.rotation_degrees)}, sky.source);
 }
 
-void pack(SkyLookup& sky) {
-    if (auto* const panorama = std::get_if<EquirectangularLookup>(&sky)) {
-        panorama->image.pack();
-    } else if (auto* const cube = std::get_if<CubeLookup>(&sky)) {
-        cube->faces.pack();
-    }
-}
-
 } // namespace vkbake

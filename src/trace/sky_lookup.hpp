@@ -7,6 +7,7 @@
 
 #include "base/elementary.hpp"
 #include "trace/sky_image.hpp"
+#include "trace/sky_map.hpp"
 #include "vkbake/sky.hpp"
 
 namespace vkbake {
@@ -63,14 +64,16 @@ struct CubeLookup {
     BorderedImages faces;
 };
 
+/// A picture resampled for rays, turned already.
+struct MapLookup {
+    SkyMap map;
+};
+
 /// One of them. Intensity is not in it: it multiplies sums.
-using SkyLookup = std::variant<ConstantLookup, ClearSkyLookup, EquirectangularLookup, CubeLookup>;
+using SkyLookup = std::variant<ConstantLookup, ClearSkyLookup, EquirectangularLookup, CubeLookup, MapLookup>;
 
 /// Throws Error{usage} where intensity or rotation is out of range, Error{bad_input} where a picture cannot be a sky,
 /// or its greatest value times the intensity does not fit a float.
 [[nodiscard]] SkyLookup make_sky_lookup(const Sky& sky);
-
-/// BorderedImages::pack, where it is a picture.
-void pack(SkyLookup& sky);
 
 } // namespace vkbake

@@ -52,86 +52,28 @@ private:
     const SkyTurn* m_turn; ///< never null
 };
 
-/// The texels of pictures as floats. A texel's index is the sum of what its column and its row bring to it; both count
-/// from the ring's.
-class FloatTexels {
-public:
-    HWY_INLINE explicit FloatTexels(const BorderedImages& images)
-        : m_floats(images.floats()), m_row(static_cast<std::int32_t>(images.floats_a_row())),
-          m_image(static_cast<std::int32_t>(images.floats_an_image())) {}
-
-    HWY_INLINE Wholes of_column(Wholes column) const { return column * whole(3); }
-    HWY_INLINE Wholes of_row(Wholes image, Wholes row) const { return image * whole(m_image) + row * whole(m_row); }
-    HWY_INLINE Vector3 at(Wholes index) const {
-        const auto channel = [&](std::int32_t number)
-                                 HWY_ATTR { return hn::GatherIndex(Lanes(), m_floats, index + whole(number)); };
-        return {channel(0), channel(1), channel(2)};
-    }
-
-private:
-    static HWY_INLINE Wholes whole(std::int32_t value) { return hn::Set(WholeLanes(), value); }
-
-    const float* m_floats;
-    std::int32_t m_row;
-    std::int32_t m_image;
-};
-
-/// The same of packed ones.
-class PackedTexels {
-public:
-    HWY_INLINE explicit PackedTexels(const BorderedImages& images)
-        : m_words(images.words()), m_band(static_cast<std::int32_t>(images.words_a_band())),
-          m_image(static_cast<std::int32_t>(images.words_an_image())) {}
-
-    HWY_INLINE Wholes of_column(Wholes column) const {
-        return hn::ShiftLeft<4>(hn::ShiftRight<2>(column)) + hn::And(column, whole(3));
-    }
-    HWY_INLINE Wholes of_row(Wholes image, Wholes row) const {
-        return image * whole(m_image) + hn::ShiftRight<2>(row) * whole(m_band) +
-               hn::ShiftLeft<2>(hn::And(row, whole(3)));
-    }
-    HWY_INLINE Vector3 at(Wholes index) const {
-        const WordLanes words;
-        const Words word = hn::GatherIndex(words, m_words, index);
-        const Vector step = hn::BitCast(Lanes(), hn::And(hn::ShiftRight<1>(word), set_word(0x7F800000U)));
-        const auto channel = [&](Words bits) HWY_ATTR {
-            return hn::ConvertTo(Lanes(), hn::BitCast(WholeLanes(), hn::And(bits, set_word(255)))) * step;
-        };
-        return {channel(word), channel(hn::ShiftRight<8>(word)), channel(hn::ShiftRight<16>(word))};
-    }
-
-private:
-    static HWY_INLINE Wholes whole(std::int32_t value) { return hn::Set(WholeLanes(), value); }
-
-    const std::uint32_t* m_words;
-    std::int32_t m_band;
-    std::int32_t m_image;
-};
-
 /// Bilinear look-ups between texel centres. A texel whose weight is 0 does not count, so that a value that is no number
 /// stays in its place.
-template<class Texels>
 class Picture {
 public:
     static constexpr std::size_t channels = 3;
 
-    HWY_INLINE explicit Picture(const BorderedImages& images) : m_images(&images), m_texels(images) {}
+    HWY_INLINE explicit Picture(const BorderedImages& images)
+        : m_images(&images), m_row(static_cast<std::int32_t>(images.floats_a_row())),
+          m_image(static_cast<std::int32_t>(images.floats_an_image())) {}
 
     /// Of a place x and y, where (0, 0) is the centre of the upper left texel, and the number of the image as z. What
     /// lies outside by more than half a texel is brought back.
     HWY_INLINE void look_up(const Vector3& place, Mask asked, std::size_t first,
                             std::array<RayBlock::LaneRow, channels>& rows) const {
-        const WholeLanes wholes;
         const Cell column = cell(place.x, m_images->width(), asked);
         const Cell row = cell(place.y, m_images->height(), asked);
-        const Wholes number = hn::ConvertTo(wholes, hn::IfThenElseZero(asked, place.z));
-        const Wholes one = hn::Set(wholes, 1);
-        const Wholes left = m_texels.of_column(column.before);
-        const Wholes right = m_texels.of_column(column.before + one);
-        const Wholes above = m_texels.of_row(number, row.before);
-        const Wholes below = m_texels.of_row(number, row.before + one);
-        const Vector3 upper = blend(m_texels.at(above + left), m_texels.at(above + right), column.share);
-        const Vector3 lower = blend(m_texels.at(below + left), m_texels.at(below + right), column.share);
+        const Wholes number = hn::ConvertTo(WholeLanes(), hn::IfThenElseZero(asked, place.z));
+        const Wholes left = column.before * whole(3);
+        const Wholes above = number * whole(m_image) + row.before * whole(m_row);
+        const Wholes below = above + whole(m_row);
+        const Vector3 upper = blend(texel(above + left), texel(above + left + whole(3)), column.share);
+        const Vector3 lower = blend(texel(below + left), texel(below + left + whole(3)), column.share);
         const Vector3 value = blend(upper, lower, row.share);
         hn::Store(hn::IfThenElseZero(asked, value.x), Lanes(), &rows[0][first]);
         hn::Store(hn::IfThenElseZero(asked, value.y), Lanes(), &rows[1][first]);
@@ -153,6 +95,16 @@ private:
         return {before, inside - hn::ConvertTo(Lanes(), before)};
     }
 
+    static HWY_INLINE Wholes whole(std::int32_t value) { return hn::Set(WholeLanes(), value); }
+
+    /// Of the index of its first channel.
+    HWY_INLINE Vector3 texel(Wholes index) const {
+        const auto channel = [&](std::int32_t number) HWY_ATTR {
+            return hn::GatherIndex(Lanes(), m_images->floats(), index + whole(number));
+        };
+        return {channel(0), channel(1), channel(2)};
+    }
+
     /// In this form a picture of one value gives that value to the bit.
     static HWY_INLINE Vector blend(Vector first, Vector second, Vector share) {
         return hn::IfThenElse(hn::Eq(share, hn::Zero(Lanes())), first, first + (second - first) * share);
@@ -162,13 +114,13 @@ private:
     }
 
     const BorderedImages* m_images; ///< never null
-    Texels m_texels;
+    std::int32_t m_row;
+    std::int32_t m_image;
 };
 
-template<class Texels>
 class EquirectangularRadiance {
 public:
-    static constexpr std::size_t channels = Picture<Texels>::channels;
+    static constexpr std::size_t channels = Picture::channels;
 
     HWY_INLINE explicit EquirectangularRadiance(const EquirectangularLookup& sky)
         : m_turn(&sky.turn), m_picture(sky.image), m_width(static_cast<float>(sky.image.width())),
@@ -190,15 +142,14 @@ public:
 
 private:
     const SkyTurn* m_turn; ///< never null
-    Picture<Texels> m_picture;
+    Picture m_picture;
     float m_width, m_height;
 };
 
 /// As cube_point() of trace/sky_lookup.hpp.
-template<class Texels>
 class CubeRadiance {
 public:
-    static constexpr std::size_t channels = Picture<Texels>::channels;
+    static constexpr std::size_t channels = Picture::channels;
 
     HWY_INLINE explicit CubeRadiance(const CubeLookup& sky)
         : m_turn(&sky.turn), m_picture(sky.faces), m_half(0.5F * static_cast<float>(sky.faces.width())) {}
@@ -231,6 +182,6 @@ public:
 
 private:
     const SkyTurn* m_turn; ///< never null
-    Picture<Texels> m_picture;
+    Picture m_picture;
     float m_half; ///< a face's
 };

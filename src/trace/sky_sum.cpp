@@ -38,6 +38,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #include "trace/sky_radiance.inl"
 
+#include "trace/sky_map.inl"
+
 /// Adds weight · value to one channel of all lanes.
 HWY_INLINE void add_row(const RayBlock::LaneRow& row, double weight, std::array<double, RayBlock::lanes>& sums) {
     const hn::CappedTag<double, RayBlock::lanes> wide;
@@ -49,14 +51,18 @@ HWY_INLINE void add_row(const RayBlock::LaneRow& row, double weight, std::array<
     }
 }
 
+HWY_INLINE Vector luminance_of(const Vector3& value) {
+    return value.x * set(static_cast<float>(luminance_weights.x)) +
+           value.y * set(static_cast<float>(luminance_weights.y)) +
+           value.z * set(static_cast<float>(luminance_weights.z));
+}
+
 template<std::size_t channels>
 HWY_INLINE void set_luminance(const std::array<RayBlock::LaneRow, channels>& rows, RayBlock::LaneRow& luminance) {
     for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
         Vector value = load(rows[0], first);
         if constexpr (channels == 3) {
-            value = value * set(static_cast<float>(luminance_weights.x)) +
-                    load(rows[1], first) * set(static_cast<float>(luminance_weights.y)) +
-                    load(rows[2], first) * set(static_cast<float>(luminance_weights.z));
+            value = luminance_of(load(rows, first));
         }
         hn::Store(value, Lanes(), &luminance[first]);
     }
@@ -110,13 +116,51 @@ void write_clear(const ClearSkyLookup& sky, const SkyRays& rays, RadianceRows& o
 }
 
 void write_equirectangular(const EquirectangularLookup& sky, const SkyRays& rays, RadianceRows& out) {
-    sky.image.is_packed() ? write(EquirectangularRadiance<PackedTexels>(sky), rays, out)
-                          : write(EquirectangularRadiance<FloatTexels>(sky), rays, out);
+    write(EquirectangularRadiance(sky), rays, out);
 }
 
-void write_cube(const CubeLookup& sky, const SkyRays& rays, RadianceRows& out) {
-    sky.faces.is_packed() ? write(CubeRadiance<PackedTexels>(sky), rays, out)
-                          : write(CubeRadiance<FloatTexels>(sky), rays, out);
+void write_cube(const CubeLookup& sky, const SkyRays& rays, RadianceRows& out) { write(CubeRadiance(sky), rays, out); }
+
+/// Without rows between: what lanes bring is summed in floats over strata of one weight, which 16 texels of 9 bits
+/// hardly ever need to be rounded for.
+HWY_INLINE void add_words(const MapWords& words, const SkyRays& rays, LaneSums& sums) {
+    const std::size_t strata = rays.directions.size();
+    alignas(64) std::array<RayBlock::LaneRow, 3> rows{};
+    for (std::size_t begin = 0, end = 0; begin < strata; begin = end) {
+        for (end = begin + 1; end < strata && rays.weights[end] == rays.weights[begin];) {
+            ++end;
+        }
+        for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+            Vector3 sum{set(0.0F), set(0.0F), set(0.0F)};
+            for (std::size_t stratum = begin; stratum < end; ++stratum) {
+                const Vector3 value = words.radiance(stratum, first);
+                sum = {sum.x + value.x, sum.y + value.y, sum.z + value.z};
+                if (rays.luminance != nullptr) {
+                    hn::Store(luminance_of(value), Lanes(), &(*rays.luminance)[stratum][first]);
+                }
+            }
+            store(sum, rows, first);
+        }
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            add_row(rows[channel], rays.weights[begin], sums.channels[channel]);
+        }
+    }
+}
+
+HWY_INLINE void write_words(const MapWords& words, const SkyRays& rays, RadianceRows& out) {
+    for (std::size_t stratum = 0; stratum < rays.directions.size(); ++stratum) {
+        for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(Lanes())) {
+            store(words.radiance(stratum, first), out[stratum], first);
+        }
+    }
+}
+
+void add_map(const MapLookup& sky, const SkyRays& rays, LaneSums& sums) {
+    sky.map.is_packed() ? add_words(MapWords(sky.map, rays), rays, sums) : add(FloatMapRadiance(sky.map), rays, sums);
+}
+
+void write_map(const MapLookup& sky, const SkyRays& rays, RadianceRows& out) {
+    sky.map.is_packed() ? write_words(MapWords(sky.map, rays), rays, out) : write(FloatMapRadiance(sky.map), rays, out);
 }
 
 void add_constant(const SkyRays& rays, LaneSums& sums) { add(UnitRadiance(), rays, sums); }
@@ -124,14 +168,10 @@ void add_constant(const SkyRays& rays, LaneSums& sums) { add(UnitRadiance(), ray
 void add_clear(const ClearSkyLookup& sky, const SkyRays& rays, LaneSums& sums) { add(ClearRadiance(sky), rays, sums); }
 
 void add_equirectangular(const EquirectangularLookup& sky, const SkyRays& rays, LaneSums& sums) {
-    sky.image.is_packed() ? add(EquirectangularRadiance<PackedTexels>(sky), rays, sums)
-                          : add(EquirectangularRadiance<FloatTexels>(sky), rays, sums);
+    add(EquirectangularRadiance(sky), rays, sums);
 }
 
-void add_cube(const CubeLookup& sky, const SkyRays& rays, LaneSums& sums) {
-    sky.faces.is_packed() ? add(CubeRadiance<PackedTexels>(sky), rays, sums)
-                          : add(CubeRadiance<FloatTexels>(sky), rays, sums);
-}
+void add_cube(const CubeLookup& sky, const SkyRays& rays, LaneSums& sums) { add(CubeRadiance(sky), rays, sums); }
 
 } // namespace vkbake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -146,6 +186,8 @@ HWY_EXPORT(add_cube);
 HWY_EXPORT(write_clear);
 HWY_EXPORT(write_equirectangular);
 HWY_EXPORT(write_cube);
+HWY_EXPORT(add_map);
+HWY_EXPORT(write_map);
 
 namespace {
 
@@ -168,6 +210,7 @@ struct Write {
         HWY_DYNAMIC_DISPATCH(write_equirectangular)(sky, rays, out);
     }
     void operator()(const CubeLookup& sky) const { HWY_DYNAMIC_DISPATCH(write_cube)(sky, rays, out); }
+    void operator()(const MapLookup& sky) const { HWY_DYNAMIC_DISPATCH(write_map)(sky, rays, out); }
 };
 
 struct Add {
@@ -180,6 +223,7 @@ struct Add {
         HWY_DYNAMIC_DISPATCH(add_equirectangular)(sky, rays, sums);
     }
     void operator()(const CubeLookup& sky) const { HWY_DYNAMIC_DISPATCH(add_cube)(sky, rays, sums); }
+    void operator()(const MapLookup& sky) const { HWY_DYNAMIC_DISPATCH(add_map)(sky, rays, sums); }
 };
 
 } // namespace

@@ -23,8 +23,9 @@ using LuminanceRows = std::array<RayBlock::LaneRow, RayBlock::strata>;
 
 /// Adds the rays that are set in `open`, which must be active, in the order of the strata; so a lane's sum depends on
 /// its own rays only, to the bit, on every machine. The radiance is that of a formula in float: within 1e-6 of the
-/// clear sky's; a picture is looked at within 2⁻²¹ of its width of the right place.
-/// Where `luminance` is not null it is filled for the open rays; the others' values mean nothing.
+/// clear sky's; a picture is looked at within 2⁻²¹ of its width of the right place. A packed map's 16 strata are added
+/// up in floats first, which 9 bits a texel fit. Where `luminance` is not null it is filled for the open rays; the
+/// others' values mean nothing.
 void add_sky(const SkyLookup& sky, const RayBlock& block, const BlockedRays& open,
              const std::array<double, RayBlock::strata>& weights, LaneSums& sums, LuminanceRows* luminance = nullptr);
 

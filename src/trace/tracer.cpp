@@ -16,6 +16,7 @@
 #include "trace/gather_tracer.hpp"
 #include "trace/lamp_set.hpp"
 #include "trace/peak_cut.hpp"
+#include "trace/resample_sky.hpp"
 #include "trace/sampled_map.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/sky_peaks.hpp"
@@ -123,7 +124,7 @@ struct Tracer::State {
           plan(asked, asked.ao_distance ? static_cast<float>(*asked.ao_distance * traced.frame.scale())
                                         : std::numeric_limits<float>::infinity()),
           visibility(traced, accelerator_settings(asked), opacity_of_it, asked.ao_falloff) {
-        pack(radiance);
+        resample(radiance, threads);
     }
 
     [[nodiscard]] Workers make_workers(const GeometryImage& geometry) const {
