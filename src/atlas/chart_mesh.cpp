@@ -69,13 +69,20 @@ void pair_sides(ChartMesh& mesh, std::span<std::uint32_t> sides) {
     if (sides.size() < 2 || sides.size() > most) {
         return;
     }
+    const auto goes_up = [&](std::uint32_t side) { return mesh.vertices[side] < mesh.vertices[next_corner(side)]; };
+    if (sides.size() == 2) { // as nearly everywhere
+        if (goes_up(sides[0]) != goes_up(sides[1])) {
+            mesh.across[sides[0]] = sides[1];
+            mesh.across[sides[1]] = sides[0];
+        }
+        return;
+    }
     struct Pair {
         double flatness; ///< cosine between the normals
         std::uint32_t up;
         std::uint32_t down;
     };
     std::vector<Pair> pairs;
-    const auto goes_up = [&](std::uint32_t side) { return mesh.vertices[side] < mesh.vertices[next_corner(side)]; };
     for (const std::uint32_t up : sides) {
         for (const std::uint32_t down : sides) {
             if (goes_up(up) && !goes_up(down)) {
@@ -115,19 +122,21 @@ void find_sides_across(ChartMesh& mesh) {
             sides[next[ends(side).first]++] = side;
         }
     }
-    for (std::size_t vertex = 0; vertex + 1 < first.size(); ++vertex) {
-        const auto begin = sides.begin() + first[vertex];
-        const auto end = sides.begin() + first[vertex + 1];
-        std::sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(ends(a).second, a) < std::pair(ends(b).second, b);
-        });
-        for (auto at = begin; at != end;) {
-            const auto past =
-                std::find_if(at, end, [&](std::uint32_t side) { return ends(side).second != ends(*at).second; });
-            pair_sides(mesh, {at, past});
-            at = past;
+    parallel_ranges(mesh.points.size(), 4096, 0, [&](std::size_t first_vertex, std::size_t past_vertex) {
+        for (std::size_t vertex = first_vertex; vertex < past_vertex; ++vertex) {
+            const auto begin = sides.begin() + first[vertex];
+            const auto end = sides.begin() + first[vertex + 1];
+            std::sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
+                return std::pair(ends(a).second, a) < std::pair(ends(b).second, b);
+            });
+            for (auto at = begin; at != end;) {
+                const auto past =
+                    std::find_if(at, end, [&](std::uint32_t side) { return ends(side).second != ends(*at).second; });
+                pair_sides(mesh, {at, past});
+                at = past;
+            }
         }
-    }
+    });
 }
 
 } // namespace

@@ -24,12 +24,14 @@ public:
         clear();
         grow_the_rest();
         constexpr int rounds = 3;
-        for (int round = 0; round < rounds && m_axes.size() > 1; ++round) {
-            begin_in_the_middle();
-            grow();
-            grow_the_rest();
+        if (any_touch()) { // else each is a region between creases, and would grow as it has
+            for (int round = 0; round < rounds; ++round) {
+                begin_in_the_middle();
+                grow();
+                grow_the_rest();
+            }
+            straighten();
         }
-        straighten();
         return gather();
     }
 
@@ -62,6 +64,19 @@ private:
     /// The side across one over which a cluster may go on, or `none`.
     [[nodiscard]] std::uint32_t way_over(std::uint32_t side) const {
         return m_mesh.is_crease(side) ? ChartMesh::none : m_mesh.across[side];
+    }
+
+    /// Whether there are clusters that could have grown further but for others.
+    [[nodiscard]] bool any_touch() const {
+        return std::ranges::any_of(m_component, [&](std::uint32_t triangle) {
+            for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+                const std::uint32_t beyond = way_over(side);
+                if (beyond != ChartMesh::none && m_cluster_of[beyond / 3] != m_cluster_of[triangle]) {
+                    return true;
+                }
+            }
+            return false;
+        });
     }
 
     void begin(std::uint32_t cluster, std::uint32_t triangle) {

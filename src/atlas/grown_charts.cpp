@@ -61,17 +61,20 @@ glm::dvec2 outline_direction(const Patches& patches, const Patch& piece) {
         for (const std::uint32_t triangle : piece.triangles) {
             for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
                 const std::uint32_t beyond = patches.mesh->across[side];
-                if (beyond != ChartMesh::none && patches.patch_of[beyond / 3] == patches.patch_of[triangle] &&
-                    patches.places[beyond] == patches.places[next_corner(side)]) {
+                const bool inner = beyond != ChartMesh::none &&
+                                   patches.patch_of[beyond / 3] == patches.patch_of[triangle] &&
+                                   patches.places[beyond] == patches.places[next_corner(side)];
+                if (inner && !patches.mesh->is_crease(side)) {
                     continue;
                 }
                 glm::dvec2 along = patches.places[next_corner(side)] - patches.places[side];
                 for (int quarter = 0; quarter < 3 && !(along.x > 0.0 && along.y >= 0.0); ++quarter) {
                     along = {along.y, -along.x};
                 }
+                constexpr double more = 4.0; // where texels mix two faces teeth are seen
                 const double length = glm::length(along);
                 if (length > 0.0) {
-                    visit(along / length, length,
+                    visit(along / length, inner ? more * length : length,
                           static_cast<std::size_t>(std::lround(along.y / (along.x + along.y) * bins)) % bins);
                 }
             }

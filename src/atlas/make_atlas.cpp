@@ -169,8 +169,8 @@ private:
     }
 
     [[nodiscard]] GrowthLimits growth_limits(std::uint32_t index) const {
-        constexpr double used = 0.6;          // of a page, about
-        constexpr double free_texels = 144.0; // around faces so small gutters would take about as many
+        constexpr double used = 0.6;         // of a page, about
+        constexpr double free_texels = 76.0; // around faces so small gutters take more
         const double wanted = wanted_density(index);
         // Bake-frame units' squares a texel.
         const double texel_area = m_settings.density

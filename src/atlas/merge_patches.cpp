@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "atlas/common_sides.hpp"
+#include "atlas/crease_run.hpp"
 #include "atlas/patches.hpp"
 #include "atlas/plane_grid.hpp"
 #include "atlas/rigid_motion.hpp"
@@ -63,6 +65,7 @@ private:
     struct Own {
         double outline = 0.0; ///< length
         PlaneBox box;
+        CreaseRun creases;                     ///< that it was joined across
         std::map<std::uint32_t, Joint> joints; ///< by neighbour
         std::unique_ptr<PlaneGrid> grid;       ///< of the triangles at its outline; made when it is asked for
     };
@@ -112,6 +115,9 @@ private:
             for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
                 own.box.add(m_all.places[side]);
                 if (is_inner(side)) {
+                    if (m_mesh.is_crease(side) && side < m_mesh.across[side]) {
+                        own.creases.add(m_all.places[next_corner(side)] - m_all.places[side]);
+                    }
                     continue;
                 }
                 const double length = length_of(side);
@@ -136,14 +142,15 @@ private:
     }
 
     /// Light changes abruptly across a crease: in one chart the faces' texels would be mixed along it, and be seen as a
-    /// bright line in a dark corner, or as teeth where it runs aslant. Of small faces gutters take more than that is
-    /// worth, and a slight bend changes light less.
-    [[nodiscard]] bool may_join(std::uint32_t a, std::uint32_t b) const {
+    /// bright line in a dark corner, or as teeth where it runs aslant through texels. Of small faces gutters take more
+    /// than that is worth, and a slight bend changes light less. `creases`: of both.
+    [[nodiscard]] bool may_join(std::uint32_t a, std::uint32_t b, const CreaseRun& creases) const {
         constexpr double slight = 0.27; // 1 − cosine: 43°, an icosahedron has 42° and a bevel 45°
-        constexpr double more = 6.0;
         const Joint& joint = m_own[a].joints.at(b);
-        const double allowed = m_limits.free_area * (joint.bend < slight * joint.length ? more : 1.0);
-        return joint.flat_length > 0.5 * joint.length || m_pieces[a].area + m_pieces[b].area <= allowed;
+        const bool is_slight = joint.bend < slight * joint.length;
+        const double more = creases.are_straight() ? (is_slight ? 50.0 : 2.0) : (is_slight ? 14.0 : 1.0);
+        return joint.flat_length > 0.5 * joint.length ||
+               m_pieces[a].area + m_pieces[b].area <= more * m_limits.free_area;
     }
 
     /// The smaller one moves.
@@ -151,35 +158,30 @@ private:
         if (m_pieces[a].triangles.size() < m_pieces[b].triangles.size()) {
             std::swap(a, b);
         }
-        if (!may_join(a, b)) {
+        const std::vector<std::uint32_t> common = common_sides(m_all, m_pieces[b], a);
+        if (common.empty()) {
             return;
         }
-        std::vector<std::uint32_t> common; // sides of b
-        for (const std::uint32_t triangle : m_pieces[b].triangles) {
-            for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-                const std::uint32_t beyond = m_mesh.across[side];
-                if (beyond != ChartMesh::none && m_all.patch_of[beyond / 3] == a) {
-                    common.push_back(side);
-                }
-            }
-        }
-        std::stable_sort(common.begin(), common.end(),
-                         [&](std::uint32_t s, std::uint32_t t) { return length_of(s) > length_of(t); });
-        std::vector<bool> met(common.size(), false);
-        if (common.empty() || lay_beside(a, b, common, hinge_motion(common[0]), 0, met, 1e-3)) {
-            return;
-        }
-        // What is small beside the other must fit without the other's being laid out anew.
-        const std::size_t count = m_pieces[b].triangles.size();
-        if (count <= 20 && lay_beside(a, b, common, best_motion(m_all, common), 0, met, 1.0)) {
-            return;
-        }
-        if (count > 20 || 20 * count > m_pieces[a].triangles.size()) {
-            sew_on(a, b, common);
+        CreaseRun creases = m_own[a].creases;
+        creases.add(m_own[b].creases, hinge_motion(common[0]).turn);
+        add_creases_across(m_all, common, creases);
+        if (may_join(a, b, creases) && join_at(a, b, common)) {
+            m_own[a].creases = creases;
         }
     }
 
-    void sew_on(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& common) {
+    [[nodiscard]] bool join_at(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& common) {
+        std::vector<bool> met(common.size(), false);
+        if (lay_beside(a, b, common, hinge_motion(common[0]), 0, met, 1e-3)) {
+            return true;
+        }
+        // What is small beside the other must fit without the other's being laid out anew.
+        const std::size_t count = m_pieces[b].triangles.size();
+        return (count <= 20 && lay_beside(a, b, common, best_motion(m_all, common), 0, met, 1.0)) ||
+               ((count > 20 || 20 * count > m_pieces[a].triangles.size()) && sew_on(a, b, common));
+    }
+
+    [[nodiscard]] bool sew_on(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& common) {
         const RigidMotion motion = best_motion(m_all, common);
         double mismatch = 0.0;
         double length = 0.0;
@@ -190,18 +192,18 @@ private:
         }
         // Hopeless ones need no system solved: what is this far off has to be bent about as much.
         if (mismatch > 0.1 * length * length || !good_shape(a, b, box_beside(a, b, motion))) {
-            return;
+            return false;
         }
         const auto sewn = sew(m_all, m_pieces[a], m_pieces[b], motion, m_limits, 3);
         if (!sewn) {
-            return;
+            return false;
         }
         PlaneBox box;
         for (const glm::dvec2& place : sewn->places) {
             box.add(place);
         }
         if (!good_shape(a, b, box)) {
-            return;
+            return false;
         }
         const std::size_t own_count = m_pieces[a].triangles.size();
         for (std::size_t i = 0; i < own_count; ++i) {
@@ -211,6 +213,7 @@ private:
         m_own[a].grid.reset();
         join(a, b, {sewn->places.begin() + static_cast<std::ptrdiff_t>(3 * own_count), sewn->places.end()}, box);
         m_pieces[a].energy = sewn->energy;
+        return true;
     }
 
     /// Of a, and of b moved.

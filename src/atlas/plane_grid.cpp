@@ -48,18 +48,23 @@ bool reach_into(const PlaneTriangle& first, const PlaneTriangle& second, double 
            !parted_by_side(second, first, slack);
 }
 
-PlaneGrid::Cells PlaneGrid::cells_of(const PlaneTriangle& triangle) const {
+PlaneGrid::Box PlaneGrid::box_of(const PlaneTriangle& triangle) {
+    const auto [x_low, x_high] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
+    const auto [y_low, y_high] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
+    return {{x_low, y_low}, {x_high, y_high}};
+}
+
+PlaneGrid::Cells PlaneGrid::cells_of(const Box& box) const {
     // Far out cells are one; their number squared still fits.
     const auto cell = [&](double value) {
         return static_cast<std::int64_t>(std::clamp(std::floor(value / m_cell), -1e9, 1e9));
     };
-    const auto [x_low, x_high] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
-    const auto [y_low, y_high] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
-    return {cell(x_low), cell(x_high) + 1, cell(y_low), cell(y_high) + 1};
+    return {cell(box.lower.x), cell(box.upper.x) + 1, cell(box.lower.y), cell(box.upper.y) + 1};
 }
 
 void PlaneGrid::add(const PlaneTriangle& triangle) {
     m_triangles.push_back(triangle);
+    m_boxes.push_back(box_of(triangle));
     if (m_triangles.size() == few + 1) {
         for (std::uint32_t index = 0; index <= few; ++index) {
             enter(index);
@@ -70,7 +75,7 @@ void PlaneGrid::add(const PlaneTriangle& triangle) {
 }
 
 void PlaneGrid::enter(std::uint32_t index) {
-    const Cells cells = cells_of(m_triangles[index]);
+    const Cells cells = cells_of(m_boxes[index]);
     if (cells.many()) {
         m_large.push_back(index);
         return;
@@ -83,9 +88,16 @@ void PlaneGrid::enter(std::uint32_t index) {
 }
 
 bool PlaneGrid::meets(const PlaneTriangle& triangle, double slack) const {
-    const auto hits = [&](std::uint32_t index) { return reach_into(triangle, m_triangles[index], slack); };
-    const Cells cells = cells_of(triangle);
-    if (m_triangles.size() <= few || cells.many()) {
+    const Box box = box_of(triangle);
+    const auto hits = [&](std::uint32_t index) {
+        const Box& own = m_boxes[index];
+        const bool apart = box.upper.x <= own.lower.x + slack || own.upper.x <= box.lower.x + slack ||
+                           box.upper.y <= own.lower.y + slack || own.upper.y <= box.lower.y + slack;
+        return !apart && reach_into(triangle, m_triangles[index], slack);
+    };
+    const bool all = m_triangles.size() <= few;
+    const Cells cells = all ? Cells{} : cells_of(box);
+    if (all || cells.many()) {
         for (std::uint32_t index = 0; index < m_triangles.size(); ++index) {
             if (hits(index)) {
                 return true;

@@ -35,13 +35,19 @@ private:
         std::int64_t y_end;
         [[nodiscard]] bool many() const { return (x_end - x_begin) * (y_end - y_begin) > 64; }
     };
-    static constexpr std::size_t few = 12; ///< up to so many triangles are kept without cells
+    struct Box {
+        glm::dvec2 lower;
+        glm::dvec2 upper;
+    };
+    static constexpr std::size_t few = 128; ///< up to so many triangles are kept without cells
 
     void enter(std::uint32_t index);
-    [[nodiscard]] Cells cells_of(const PlaneTriangle& triangle) const;
+    [[nodiscard]] Cells cells_of(const Box& box) const;
+    [[nodiscard]] static Box box_of(const PlaneTriangle& triangle);
 
     double m_cell;
     std::vector<PlaneTriangle> m_triangles;
+    std::vector<Box> m_boxes;                                              ///< theirs
     std::vector<std::uint32_t> m_large;                                    ///< those that would lie in many cells
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> m_cells; ///< looked up only
 };

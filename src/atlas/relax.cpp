@@ -1,10 +1,11 @@
 #include "atlas/relax.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <glm/geometric.hpp>
 
@@ -41,16 +42,86 @@ glm::dvec2 next_rotation(const RigidTriangle& rigid, const std::array<glm::dvec2
     return length > 0.0 ? sum / length : glm::dvec2(1.0, 0.0);
 }
 
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+/// L·D·Lᵀ of a small matrix, row by row, each from its first entry that is not 0. (Eigen's dense one spends most of its
+/// time on what makes it good at large ones.)
+class SmallSolver {
+public:
+    void factorise(std::size_t count, const Entries& entries) {
+        m_rows.assign(count * count, 0.0);
+        m_inverse.resize(count);
+        m_first.resize(count);
+        std::iota(m_first.begin(), m_first.end(), std::size_t{0});
+        m_count = count;
+        for (const Eigen::Triplet<double>& entry : entries) {
+            const auto row = static_cast<std::size_t>(entry.row());
+            const auto column = static_cast<std::size_t>(entry.col());
+            m_rows[row * count + column] += entry.value();
+            m_first[row] = std::min(m_first[row], column);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            factorise_row(i);
+        }
+    }
+
+    [[nodiscard]] bool good() const { return m_good; }
+
+    [[nodiscard]] Eigen::MatrixX2d solve(Eigen::MatrixX2d x) const {
+        double* const u = x.col(0).data();
+        double* const v = x.col(1).data();
+        for (std::size_t i = 0; i < m_count; ++i) {
+            for (std::size_t k = m_first[i]; k < i; ++k) {
+                u[i] -= row(i)[k] * u[k];
+                v[i] -= row(i)[k] * v[k];
+            }
+        }
+        for (std::size_t i = 0; i < m_count; ++i) {
+            u[i] *= m_inverse[i];
+            v[i] *= m_inverse[i];
+        }
+        for (std::size_t i = m_count; i-- > 0;) {
+            for (std::size_t k = m_first[i]; k < i; ++k) {
+                u[k] -= row(i)[k] * u[i];
+                v[k] -= row(i)[k] * v[i];
+            }
+        }
+        return x;
+    }
+
+private:
+    [[nodiscard]] const double* row(std::size_t i) const { return &m_rows[i * m_count]; }
+
+    void factorise_row(std::size_t i) {
+        double* const own = &m_rows[i * m_count];
+        for (std::size_t j = m_first[i]; j < i; ++j) {
+            for (std::size_t k = std::max(m_first[i], m_first[j]); k < j; ++k) {
+                own[j] -= own[k] * row(j)[k];
+            }
+        }
+        double pivot = own[i];
+        for (std::size_t j = m_first[i]; j < i; ++j) {
+            const double scaled = own[j] * m_inverse[j];
+            pivot -= own[j] * scaled;
+            own[j] = scaled;
+        }
+        m_good = m_good && pivot != 0.0;
+        m_inverse[i] = 1.0 / pivot;
+    }
+
+    std::size_t m_count = 0;
+    bool m_good = true;
+    std::vector<double> m_rows;       ///< square, below the diagonal L
+    std::vector<double> m_inverse;    ///< of D
+    std::vector<std::size_t> m_first; ///< by row: the column of its first entry
+};
+
 /// Of a symmetric system, whose lower entries are given.
 class Solver {
 public:
-    Solver(Eigen::Index count, const std::vector<Eigen::Triplet<double>>& entries) : m_small(count <= small) {
+    Solver(Eigen::Index count, const Entries& entries) : m_small(count <= small) {
         if (m_small) {
-            Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
-            for (const Eigen::Triplet<double>& entry : entries) {
-                matrix(entry.row(), entry.col()) += entry.value();
-            }
-            m_dense.compute(matrix);
+            m_dense.factorise(static_cast<std::size_t>(count), entries);
         } else {
             Eigen::SparseMatrix<double> matrix(count, count);
             matrix.setFromTriplets(entries.begin(), entries.end());
@@ -58,17 +129,17 @@ public:
         }
     }
 
-    [[nodiscard]] bool good() const { return (m_small ? m_dense.info() : m_sparse.info()) == Eigen::Success; }
+    [[nodiscard]] bool good() const { return m_small ? m_dense.good() : m_sparse.info() == Eigen::Success; }
 
     [[nodiscard]] Eigen::MatrixX2d solve(const Eigen::MatrixX2d& right) const {
-        return m_small ? Eigen::MatrixX2d(m_dense.solve(right)) : Eigen::MatrixX2d(m_sparse.solve(right));
+        return m_small ? m_dense.solve(right) : Eigen::MatrixX2d(m_sparse.solve(right));
     }
 
 private:
-    static constexpr Eigen::Index small = 48; // points: fewer have more to gain from order than from zeros
+    static constexpr Eigen::Index small = 96; // points: fewer have more to gain from order than from zeros
 
     bool m_small;
-    Eigen::LDLT<Eigen::MatrixXd> m_dense;
+    SmallSolver m_dense;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_sparse;
 };
 
@@ -138,7 +209,7 @@ private:
     glm::dvec2 m_first;
     double m_hold = 0.0;
     std::vector<RigidTriangle> m_rigid;
-    std::vector<Eigen::Triplet<double>> m_entries;
+    Entries m_entries;
     std::vector<glm::dvec2> m_turns; ///< 1 a triangle
     Eigen::MatrixX2d m_right;
 };
