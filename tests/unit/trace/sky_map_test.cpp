@@ -155,7 +155,8 @@ std::vector<glm::dvec3> irradiances(const SkyLookup& sky) {
         std::array<glm::dvec3, RayBlock::rays> places{};
         for (std::size_t i = 0; i < RayBlock::rays; ++i) {
             const int point = first + static_cast<int>(i);
-            places[i] = SkyMap::octahedron_point(points, point % points + 0.5, point / points + 0.5);
+            const int row = point / points;
+            places[i] = SkyMap::octahedron_point(points, point % points + 0.5, row + 0.5);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 block.direction[i / 16][axis][i % 16] =
                     static_cast<float>(glm::normalize(places[i])[static_cast<glm::length_t>(axis)]);
@@ -167,11 +168,10 @@ std::vector<glm::dvec3> irradiances(const SkyLookup& sky) {
             // dω = p · (∂p/∂u × ∂p/∂v) du dv / |p|³, and on each face that product is |x| + |y| + |z| = 1.
             const double distance = glm::length(places[i]);
             const double solid_angle = 4.0 / (points * points) / (distance * distance * distance);
-            for (int axis = 0; axis < 3; ++axis) {
-                const double cosine = places[i][axis] / distance;
-                sums[static_cast<std::size_t>(2 * axis + (cosine < 0.0 ? 1 : 0))] +=
-                    solid_angle / std::numbers::pi * std::abs(cosine) *
-                    glm::dvec3(red[i % 16], green[i % 16], blue[i % 16]);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double cosine = places[i][static_cast<glm::length_t>(axis)] / distance;
+                sums[2 * axis + (cosine < 0.0 ? 1 : 0)] += solid_angle / std::numbers::pi * std::abs(cosine) *
+                                                           glm::dvec3(red[i % 16], green[i % 16], blue[i % 16]);
             }
         }
     }
