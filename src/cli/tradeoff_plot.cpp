@@ -122,6 +122,7 @@ std::array<Box, 6> places_of(const Mark& mark) {
 /// The points with their labels, each where it hides no point and no label before it, if there is such a place.
 std::vector<Mark> marks(const std::vector<TradePoint>& points, const Axis& x, const Axis& y) {
     std::vector<Mark> result;
+    result.reserve(points.size());
     for (const TradePoint& point : points) {
         result.push_back({&point, x.place(seconds_of(point)), y.place(percent_of(point)), point.flags.substr(2), {}});
     }
