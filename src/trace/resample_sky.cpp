@@ -13,6 +13,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/elementary.hpp"
+#include "base/parallel.hpp"
 #include "bvh/ray_block.hpp"
 #include "trace/sky_sum.hpp"
 
@@ -37,6 +39,37 @@ std::optional<Picture> picture_of(const SkyLookup& sky) {
         return Picture{&cube->faces, 4 * cube->faces.width()};
     }
     return std::nullopt;
+}
+
+/// Look-ups along a texel of the map. Pictures that would ask for more are halved first, which costs less.
+constexpr double most_points = 8.0;
+
+// A map's texel is 3.54 / side wide, the root of its mean solid angle, a picture's 6.28 / width: two points for each.
+double points_wanted(int width, int side) { return 1.13 * width / side; }
+
+/// Each texel the mean of four by their solid angles.
+EquirectangularLookup halved(const EquirectangularLookup& sky, int threads) {
+    const int width = sky.image.width() / 2;
+    const int height = sky.image.height() / 2;
+    EquirectangularLookup half{sky.turn, BorderedImages(1, width, height)};
+    parallel_ranges(static_cast<std::size_t>(height), 8, threads, [&](std::size_t begin, std::size_t end) {
+        for (auto y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+            const auto sine = [&](int row) { return sine_cosine_degrees(90.0 * (row + 0.5) / height).sine; };
+            const double above = sine(2 * y) / (sine(2 * y) + sine(2 * y + 1));
+            for (int x = 0; x < width; ++x) {
+                const auto pair = [&](int row) {
+                    return glm::dvec3(sky.image.at(0, 2 * x, row)) + glm::dvec3(sky.image.at(0, 2 * x + 1, row));
+                };
+                half.image.at(0, x, y) = glm::vec3(0.5 * (above * pair(2 * y) + (1.0 - above) * pair(2 * y + 1)));
+            }
+        }
+    });
+    wrap_around(half.image);
+    return half;
+}
+
+bool can_be_halved(const EquirectangularLookup& sky) {
+    return sky.image.width() % 2 == 0 && sky.image.height() % 2 == 0;
 }
 
 /// The means over texels of a map, by look-ups of a picture at a grid of points in each.
@@ -102,13 +135,17 @@ void resample(SkyLookup& sky, int threads) {
         return;
     }
     const int side = std::clamp(picture->width / 16 * 6, least_side, greatest_side);
-    // A map's texel is 3.54 / side wide, the root of its mean solid angle, a picture's 6.28 / width: two points for
-    // each.
-    const int points = std::max(2, static_cast<int>(std::ceil(1.13 * picture->width / side)));
+    const bool packs = picture->images->has_shared_exponents();
+    int width = picture->width;
+    for (auto* panorama = std::get_if<EquirectangularLookup>(&sky);
+         panorama != nullptr && points_wanted(width, side) > most_points && can_be_halved(*panorama); width /= 2) {
+        *panorama = halved(*panorama, threads);
+    }
+    const int points = std::max(2, static_cast<int>(std::ceil(points_wanted(width, side))));
     const MeanRadiance radiance(sky, side, points);
     const SkyMap::FillRow fill_row = [&](int row, std::span<glm::dvec3> means) { radiance.fill(row, means); };
     SkyMap map(side, fill_row, threads);
-    if (picture->images->has_shared_exponents()) {
+    if (packs) {
         map.pack();
     }
     sky = MapLookup{std::move(map)};

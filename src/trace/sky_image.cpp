@@ -57,4 +57,17 @@ bool BorderedImages::has_shared_exponents() const {
     return greatest <= least * 0x1p30F;
 }
 
+void wrap_around(BorderedImages& panorama) {
+    const int width = panorama.width();
+    const int height = panorama.height();
+    for (int y = 0; y < height; ++y) {
+        panorama.at(0, -1, y) = panorama.at(0, width - 1, y);
+        panorama.at(0, width, y) = panorama.at(0, 0, y);
+    }
+    for (int x = -1; x <= width; ++x) {
+        panorama.at(0, x, -1) = panorama.at(0, x, 0);
+        panorama.at(0, x, height) = panorama.at(0, x, height - 1);
+    }
+}
+
 } // namespace vkbake

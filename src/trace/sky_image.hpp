@@ -48,6 +48,9 @@ private:
     std::vector<glm::vec3> m_texels;
 };
 
+/// Fills the ring of an equirectangular picture: around the horizon it wraps, at the poles it is held.
+void wrap_around(BorderedImages& panorama);
+
 // Such values near another, finite and not negative: whole steps of 1/256 … 1/128 of its greatest channel, of 2⁻¹²⁶ at
 // least. The nearest, but none of more than 255 steps; and the greatest that is in no channel above it.
 [[nodiscard]] glm::vec3 packed_near(const glm::vec3& value);

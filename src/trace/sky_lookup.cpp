@@ -82,14 +82,7 @@ BorderedImages bordered_panorama(const Image& image) {
     check_size(1, image);
     BorderedImages bordered(1, image.width, image.height);
     copy_inside(bordered, 0, image);
-    for (int y = 0; y < image.height; ++y) {
-        bordered.at(0, -1, y) = bordered.at(0, image.width - 1, y);
-        bordered.at(0, image.width, y) = bordered.at(0, 0, y);
-    }
-    for (int x = -1; x <= image.width; ++x) {
-        bordered.at(0, x, -1) = bordered.at(0, x, 0);
-        bordered.at(0, x, image.height) = bordered.at(0, x, image.height - 1);
-    }
+    wrap_around(bordered);
     return bordered;
 }
 

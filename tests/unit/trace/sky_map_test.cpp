@@ -225,6 +225,46 @@ TEST(ResampledSkies, KeepTheLightThatReachesAPlane) {
     }
 }
 
+/// So large that it is halved: the light of a plane by a sum over the picture's texels.
+TEST(ResampledSkies, KeepTheLightOfLargePictures) {
+    constexpr int width = 2736; // about the least that is
+    constexpr int height = width / 2;
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, 0.5, -0.7));
+    glm::dvec3 expected(0.0);
+    Sky sky;
+    sky.source = EquirectangularSky{picture(width, height, [&](int x, int y) {
+        const std::uint64_t some = mix64(static_cast<std::uint64_t>(y) * width + static_cast<std::uint64_t>(x));
+        const auto channel = [&](unsigned shift, int odd) {
+            return static_cast<float>((some >> shift & 63U) + (odd % 2 == 0 ? 0U : 64U));
+        };
+        const glm::vec3 value(128.0F + channel(0, y), channel(8, x), channel(16, x / 2 + y / 2)); // as bytes are
+        const double polar = (y + 0.5) / height * std::numbers::pi;
+        const double around = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
+        const glm::dvec3 direction(std::sin(polar) * std::cos(around), std::cos(polar),
+                                   std::sin(polar) * std::sin(around));
+        const double solid_angle = 2.0 * std::numbers::pi * std::numbers::pi / width / height * std::sin(polar);
+        expected += std::max(glm::dot(direction, normal), 0.0) * solid_angle / std::numbers::pi * glm::dvec3(value);
+        return value;
+    })};
+    const SkyLookup found = resampled(sky);
+    const auto& map = std::get<MapLookup>(found).map;
+    ASSERT_TRUE(map.is_packed());
+    const int side = map.side();
+    const std::vector<glm::vec3> means = radiances(found, middles(side));
+    glm::dvec3 light(0.0);
+    for (int texel = 0; texel < side * side; ++texel) {
+        const int row = texel / side;
+        const glm::dvec3 point = SkyMap::octahedron_point(side, texel % side + 0.5, row + 0.5);
+        const double distance = glm::length(point);
+        const double cosine = std::max(glm::dot(point, normal) / distance, 0.0);
+        light += cosine / std::numbers::pi * 4.0 / (side * side) / (distance * distance * distance) *
+                 glm::dvec3(means[static_cast<std::size_t>(texel)]);
+    }
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(light[channel], expected[channel], 5e-4 * expected[channel]);
+    }
+}
+
 /// A sky that is linear in the direction has means that are linear too: 1 + a · d for a texel's own mean direction.
 TEST(ResampledSkies, ShowWhatThePictureShows) {
     const glm::dvec3 slope(0.5, -0.25, 0.3);
