@@ -105,8 +105,8 @@ private:
             pivot -= own[j] * scaled;
             own[j] = scaled;
         }
-        m_good = m_good && pivot != 0.0;
         m_inverse[i] = 1.0 / pivot;
+        m_good = m_good && std::isfinite(m_inverse[i]);
     }
 
     std::size_t m_count = 0;
