@@ -47,6 +47,13 @@ struct LightMapUse {
     TextureUse texture; ///< sRGB 8-bit; irradiance E = intensity × linear value
     float intensity = 1.0F;
     std::string linear_file; ///< the EXR with E/π, relative to the scene's file; empty: none named
+    std::array<std::string, 4> directional_files; ///< of its directional light map, alike; empty: it has none
+};
+
+/// Tangent space: x and y of 2 · rgb − 1 are multiplied by `scale`. Linear.
+struct NormalMapUse {
+    TextureUse texture;
+    float scale = 1.0F;
 };
 
 struct Material {
@@ -63,13 +70,17 @@ struct Material {
     glm::vec3 emissive{0.0F}; ///< linear
     std::optional<TextureUse> emissive_texture;
     std::optional<LightMapUse> light_map;
-    std::optional<TextureUse> occlusion_texture; ///< where an `ao` bake is referenced
+    std::optional<TextureUse> occlusion_texture; ///< where an `ao` bake is referenced, or a bent normal's length
+    std::string bent_normal_file; ///< the EXR of a `bent-normal` bake, relative to the scene's file; empty: none named
+    std::optional<NormalMapUse> normal_map;
 };
 
 /// Triangles of one material, in the mesh's own space (metres, +Y up).
 struct Primitive {
-    std::vector<glm::vec3> positions;                 ///< one a vertex, finite
-    std::vector<glm::vec3> normals;                   ///< one a vertex, any length but 0; empty: flat normals
+    std::vector<glm::vec3> positions; ///< one a vertex, finite
+    std::vector<glm::vec3> normals;   ///< one a vertex, any length but 0; empty: flat normals
+    std::vector<glm::vec4> tangents;  ///< along the normal map's u; w: ±1, so that up in it is w · normal × tangent.
+                                      ///< Read where a directional light map needs them; empty: u and v tell
     std::array<std::vector<glm::vec2>, 4> tex_coords; ///< TEXCOORD_0 … 3; empty where absent, otherwise one a vertex
     std::vector<glm::vec4> colors;                    ///< COLOR_0, linear; empty where absent
     std::vector<std::uint32_t> indices; ///< three a triangle, counter-clockwise seen from the front; < positions.size()

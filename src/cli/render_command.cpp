@@ -1,4 +1,5 @@
 #include "bake_options.hpp"
+#include "choice.hpp"
 #include "command.hpp"
 #include "interrupt.hpp"
 
@@ -118,6 +119,8 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
         ->capture_default_str();
     command.add_flag("--light-only", options->settings.light_only, "The light maps on grey surfaces");
     command.add_flag("--checker", options->settings.checker, "A checker of the light maps' texels instead of light");
+    add_choice(command, "--directional", options->settings.directional,
+               "Draw normal maps, lit by the directional light maps that lie beside the scene");
     command.add_flag("--probes", options->settings.probes, "Light probes as white balls");
     command.add_option("--exposure", options->settings.exposure, "Stops")->capture_default_str();
     command.add_option("--device", options->device, "Part of the Vulkan device's name")->type_name("NAME");

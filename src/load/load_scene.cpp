@@ -34,8 +34,8 @@ Scene load(gltf::Context& context, const std::filesystem::path& file) {
     scene.source = gltf::normalise(context, std::move(document));
 
     const gltf::Model model = gltf::make_model(context, *scene.source);
-    scene.meshes = gltf::make_meshes(context, model);
     scene.materials = gltf::make_materials(context, model);
+    scene.meshes = gltf::make_meshes(context, model, scene.materials);
     scene.images = gltf::make_images(model);
     gltf::PlacedNodes placed = gltf::place_nodes(context, model, lamps);
     scene.instances = std::move(placed.instances);

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "vkbake/names.hpp"
+
 namespace vkbake::gltf {
 
 namespace {
@@ -75,7 +77,14 @@ public:
         material.emissive = glm::vec3(glm::dvec3(emissive.at(0), emissive.at(1), emissive.at(2)) * strength);
         material.emissive_texture = texture_use(source.emissiveTexture);
         material.occlusion_texture = texture_use(source.occlusionTexture);
+        if (const auto normals = texture_use(source.normalTexture)) {
+            material.normal_map = {*normals, static_cast<float>(source.normalTexture.scale)};
+        }
         material.light_map = light_map(source);
+        const tinygltf::Value mode = own(source, "mode");
+        if (mode.IsString() && mode.Get<std::string>() == name_of(Mode::bent_normal)) {
+            material.bent_normal_file = file_name(own(source, "lightMap"));
+        }
         return material;
     }
 
@@ -149,13 +158,30 @@ private:
         if (!texture) {
             return std::nullopt;
         }
-        LightMapUse use{.texture = *texture, .intensity = number_or(*extension, "intensity", 1.0), .linear_file = {}};
-        if (source.extras.Has("vkbake") && source.extras.Get("vkbake").Has("lightMap")) {
-            const tinygltf::Value& file = source.extras.Get("vkbake").Get("lightMap");
-            use.linear_file = file.IsString() ? file.Get<std::string>() : std::string();
-            m_context.require_inside(use.linear_file, m_where);
+        LightMapUse use{.texture = *texture,
+                        .intensity = number_or(*extension, "intensity", 1.0),
+                        .linear_file = file_name(own(source, "lightMap")),
+                        .directional_files = {}};
+        const tinygltf::Value directional = own(source, "directional");
+        if (directional.IsArray() && directional.ArrayLen() == use.directional_files.size()) {
+            for (std::size_t i = 0; i < use.directional_files.size(); ++i) {
+                use.directional_files[i] = file_name(directional.Get(static_cast<int>(i)));
+            }
         }
         return use;
+    }
+
+    /// extras.vkbake.KEY; null where it is absent.
+    static tinygltf::Value own(const tinygltf::Material& source, const char* key) {
+        const bool there = source.extras.Has("vkbake") && source.extras.Get("vkbake").Has(key);
+        return there ? source.extras.Get("vkbake").Get(key) : tinygltf::Value();
+    }
+
+    /// The name of a file below the scene's folder; empty where `value` is no string.
+    std::string file_name(const tinygltf::Value& value) {
+        std::string name = value.IsString() ? value.Get<std::string>() : std::string();
+        m_context.require_inside(name, m_where);
+        return name;
     }
 
     Context& m_context;

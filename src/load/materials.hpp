@@ -10,8 +10,8 @@
 namespace vkbake::gltf {
 
 /// All materials of the document, in its order. A texture whose image only an unsupported extension names is left out
-/// with a note. `MOZ_lightmap`, with the name of the linear file in the material's extras.vkbake.lightMap, becomes
-/// `light_map`.
+/// with a note. `MOZ_lightmap`, with the names of the linear files in the material's extras.vkbake.lightMap and
+/// .directional, becomes `light_map`.
 [[nodiscard]] std::vector<Material> make_materials(Context& context, const Model& model);
 
 /// All images of the document, in its order, encoded as they are.

@@ -38,6 +38,7 @@ struct AttributeRule {
 
 constexpr AttributeRule position_rule{.quantized_any = true};
 constexpr AttributeRule normal_rule{.quantized_signed = true};
+constexpr AttributeRule tangent_rule{.type = TINYGLTF_TYPE_VEC4, .quantized_signed = true};
 constexpr AttributeRule tex_coord_rule{.type = TINYGLTF_TYPE_VEC2, .unsigned_normalized = true, .quantized_any = true};
 constexpr AttributeRule color_rule{.four_allowed = true, .unsigned_normalized = true};
 
@@ -82,7 +83,8 @@ std::vector<std::uint32_t> triangulate(int mode, std::vector<std::uint32_t> vert
 
 class MeshMaker {
 public:
-    MeshMaker(Context& context, const Model& model) : m_context(context), m_model(model) {
+    MeshMaker(Context& context, const Model& model, std::span<const Material> materials)
+        : m_context(context), m_model(model), m_materials(materials) {
         const auto& used = model.data.extensionsUsed;
         m_quantization = std::find(used.begin(), used.end(), "KHR_mesh_quantization") != used.end();
     }
@@ -157,6 +159,7 @@ private:
             primitive.normals = read_vec3(m_model, static_cast<std::size_t>(*normal));
             repair_normals(m_context, m_where, primitive);
         }
+        read_tangents(primitive, source);
         read_tex_coords(primitive, source);
         read_colors(primitive, source);
         return primitive;
@@ -253,6 +256,27 @@ private:
         return indices;
     }
 
+    [[nodiscard]] bool needs_tangents(const Primitive& primitive) const {
+        if (!primitive.material || *primitive.material >= m_materials.size() || primitive.normals.empty()) {
+            return false;
+        }
+        const Material& material = m_materials[*primitive.material];
+        return material.normal_map && material.light_map && !material.light_map->directional_files[0].empty();
+    }
+
+    void read_tangents(Primitive& primitive, const tinygltf::Primitive& source) {
+        const auto index = needs_tangents(primitive) ? find(source, "TANGENT", tangent_rule) : std::nullopt;
+        if (!index) {
+            return;
+        }
+        auto tangents = read_vec4(m_model, static_cast<std::size_t>(*index));
+        if (std::all_of(tangents.begin(), tangents.end(), is_finite<glm::vec4>)) {
+            primitive.tangents = std::move(tangents);
+        } else {
+            m_context.note(m_where + ": TANGENT holds values that are not finite: ignored");
+        }
+    }
+
     void read_tex_coords(Primitive& primitive, const tinygltf::Primitive& source) {
         for (std::size_t set = 0; set < primitive.tex_coords.size(); ++set) {
             const std::string semantic = "TEXCOORD_" + std::to_string(set);
@@ -292,6 +316,7 @@ private:
 
     Context& m_context;
     const Model& m_model;
+    std::span<const Material> m_materials;
     bool m_quantization = false;
     std::string m_where;
     std::size_t m_vertices = 0;
@@ -300,8 +325,8 @@ private:
 
 } // namespace
 
-std::vector<Mesh> make_meshes(Context& context, const Model& model) {
-    MeshMaker maker(context, model);
+std::vector<Mesh> make_meshes(Context& context, const Model& model, std::span<const Material> materials) {
+    MeshMaker maker(context, model, materials);
     std::vector<Mesh> meshes;
     for (std::size_t i = 0; i < model.data.meshes.size(); ++i) {
         meshes.push_back(maker.make(i));

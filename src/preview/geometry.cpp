@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "base/texture_transform.hpp"
 #include "preview/camera.hpp"
 #include "vkbake/error.hpp"
@@ -25,8 +27,9 @@ struct Piece {
     const Instance* instance = nullptr;
     const Primitive* primitive = nullptr;
     std::uint32_t material = 0;
-    std::vector<glm::dvec3> eye;     ///< its vertices in eye space
-    std::vector<Triangle> triangles; ///< in the order of drawing
+    std::optional<ReliefTransform> relief = {}; ///< where the material has a normal map that is drawn
+    std::vector<glm::dvec3> eye = {};           ///< its vertices in eye space
+    std::vector<Triangle> triangles = {};       ///< in the order of drawing
 };
 
 const TextureUse* pointer_to(const std::optional<TextureUse>& use) { return use ? &*use : nullptr; }
@@ -37,6 +40,13 @@ glm::vec2 uv_of(const Primitive& primitive, const TextureUse* use, std::size_t v
     }
     const std::vector<glm::vec2>& set = primitive.tex_coords[use->tex_coord];
     return vertex < set.size() ? glm::vec2(TextureTransform(*use)(set[vertex])) : glm::vec2(0.0F);
+}
+
+/// Of no particular length, in the mesh's space.
+glm::dvec3 flat_normal(const Primitive& primitive, const Triangle& triangle) {
+    const glm::dvec3 first(primitive.positions[triangle[0]]);
+    return glm::cross(glm::dvec3(primitive.positions[triangle[1]]) - first,
+                      glm::dvec3(primitive.positions[triangle[2]]) - first);
 }
 
 void make_ready(Piece& piece, const Camera& camera, const std::string& scene_name) {
@@ -76,18 +86,24 @@ double middle(const Piece& piece) {
 
 class Builder {
 public:
-    Builder(const Scene& scene, bool occlusion, std::size_t chunk_bytes)
-        : m_scene(scene), m_occlusion(occlusion),
+    Builder(const Scene& scene, const PreviewImages& images, std::size_t chunk_bytes)
+        : m_scene(scene), m_images(images),
           m_vertex_limit(std::max<std::size_t>(chunk_bytes / sizeof(PreviewVertex), 3)),
           m_index_limit(std::max<std::size_t>(chunk_bytes / sizeof(std::uint32_t), 3)) {}
 
     void add(const Piece& piece) {
         m_places.assign(piece.eye.size(), not_yet);
+        const bool flat = piece.relief && piece.primitive->normals.empty();
         for (const Triangle& triangle : piece.triangles) {
             open_chunk_for_triangle();
             open_draw(piece.material);
+            glm::dvec3 normal(0.0);
+            if (flat) {
+                normal = flat_normal(*piece.primitive, triangle);
+                std::ranges::for_each(triangle, [&](std::uint32_t vertex) { m_places[vertex] = not_yet; });
+            }
             for (const std::uint32_t vertex : triangle) {
-                chunk().indices.push_back(place_of(piece, vertex));
+                chunk().indices.push_back(place_of(piece, vertex, normal));
             }
             m_geometry.draws.back().index_count += 3;
         }
@@ -124,7 +140,7 @@ private:
         }
     }
 
-    std::uint32_t place_of(const Piece& piece, std::uint32_t vertex) {
+    std::uint32_t place_of(const Piece& piece, std::uint32_t vertex, const glm::dvec3& flat) {
         if (m_places[vertex] == not_yet) {
             m_places[vertex] = static_cast<std::uint32_t>(chunk().vertices.size());
             m_nearest = std::min(m_nearest, -piece.eye[vertex].z);
@@ -140,7 +156,12 @@ private:
             if (material != nullptr) {
                 made.base_uv = uv_of(primitive, pointer_to(material->base_color_texture), vertex);
                 made.emissive_uv = uv_of(primitive, pointer_to(material->emissive_texture), vertex);
-                made.light_uv = uv_of(primitive, light_texture(*material, m_occlusion), vertex);
+                made.light_uv = uv_of(primitive, light_texture(*material, m_images.occlusion), vertex);
+            }
+            if (piece.relief) {
+                const glm::vec2 uv = uv_of(primitive, &material->normal_map->texture, vertex);
+                chunk().reliefs.resize(chunk().vertices.size()); // those before may have none
+                chunk().reliefs.push_back(piece.relief->of(primitive, vertex, flat, uv));
             }
             chunk().vertices.push_back(made);
         }
@@ -148,7 +169,7 @@ private:
     }
 
     const Scene& m_scene;
-    bool m_occlusion;
+    const PreviewImages& m_images;
     std::size_t m_vertex_limit;
     std::size_t m_index_limit;
     PreviewGeometry m_geometry;
@@ -166,7 +187,8 @@ const TextureUse* light_texture(const Material& material, bool occlusion) {
     return material.light_map ? &material.light_map->texture : nullptr;
 }
 
-PreviewGeometry make_geometry(const Scene& scene, const Camera& camera, bool occlusion, std::size_t chunk_bytes) {
+PreviewGeometry make_geometry(const Scene& scene, const Camera& camera, const PreviewImages& images,
+                              std::size_t chunk_bytes) {
     std::vector<Piece> opaque;
     std::vector<Piece> blended;
     const auto default_material = static_cast<std::uint32_t>(scene.materials.size());
@@ -175,8 +197,10 @@ PreviewGeometry make_geometry(const Scene& scene, const Camera& camera, bool occ
             const std::uint32_t material = std::min(primitive.material.value_or(default_material), default_material);
             const bool blends = material < default_material && scene.materials[material].alpha_mode == AlphaMode::blend;
             std::vector<Piece>& pieces = blends ? blended : opaque;
-            pieces.push_back(
-                {.instance = &instance, .primitive = &primitive, .material = material, .eye = {}, .triangles = {}});
+            pieces.push_back({.instance = &instance, .primitive = &primitive, .material = material});
+            if (images.relief_of(material) != PreviewImages::none) {
+                pieces.back().relief.emplace(instance, camera);
+            }
             make_ready(pieces.back(), camera, scene.name);
         }
     }
@@ -184,7 +208,7 @@ PreviewGeometry make_geometry(const Scene& scene, const Camera& camera, bool occ
     std::ranges::for_each(blended, sort_triangles);
     std::ranges::stable_sort(blended, std::less{}, middle); // eye space looks along −Z: the least is the farthest
 
-    Builder builder(scene, occlusion, chunk_bytes);
+    Builder builder(scene, images, chunk_bytes);
     std::ranges::for_each(opaque, [&](const Piece& piece) { builder.add(piece); });
     builder.end_opaque();
     std::ranges::for_each(blended, [&](const Piece& piece) { builder.add(piece); });

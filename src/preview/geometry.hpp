@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "preview/images.hpp"
+#include "preview/relief.hpp"
 #include "vkbake/scene.hpp"
 
 namespace vkbake {
@@ -25,6 +27,7 @@ struct PreviewVertex {
 /// What fits a storage buffer's range.
 struct PreviewChunk {
     std::vector<PreviewVertex> vertices;
+    std::vector<PreviewRelief> reliefs; ///< one a vertex, or as many as the last one needs whose material has relief
     std::vector<std::uint32_t> indices; ///< into `vertices`, three a triangle
 };
 
@@ -50,9 +53,10 @@ struct PreviewGeometry {
 
 /// All instances' triangles. BLEND ones are in the order of painting: primitives of instances by the middle of their
 /// depths, farthest first, and so the triangles within each; what interpenetrates is not cut. A chunk has at most
-/// `chunk_bytes` of vertices, and of indices. `occlusion`: as in light_texture. Throws Error{bad_input} for indices
-/// that are out of range.
-[[nodiscard]] PreviewGeometry make_geometry(const Scene& scene, const Camera& camera, bool occlusion,
+/// `chunk_bytes` of vertices, and of indices. Vertices of materials that have a directional light map in `images` get
+/// their relief; where they have no normals, each triangle has its own. Throws Error{bad_input} for indices that are
+/// out of range.
+[[nodiscard]] PreviewGeometry make_geometry(const Scene& scene, const Camera& camera, const PreviewImages& images,
                                             std::size_t chunk_bytes);
 
 } // namespace vkbake

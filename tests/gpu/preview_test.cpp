@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "device.hpp"
+#include "shown.hpp"
 #include "vkbake/error.hpp"
 
 namespace {
@@ -21,41 +22,12 @@ using vkbake::Image;
 using vkbake::PreviewImages;
 using vkbake::PreviewSettings;
 using vkbake::Scene;
+using vkbake::test::camera_at_origin;
 using vkbake::test::context;
-
-vkbake::Camera camera_at_origin() {
-    vkbake::Camera camera;
-    camera.vertical_field_of_view = std::acos(0.0);
-    return camera;
-}
-
-PreviewSettings square(int side) { return {.width = side, .height = side, .exposure = 1.0, .samples = 2}; }
-
-/// What the display shows for linear radiance: Khronos PBR Neutral as its specification states it, then sRGB; in
-/// double.
-glm::dvec3 displayed(const glm::dvec3& radiance) {
-    const double least = std::min({radiance.r, radiance.g, radiance.b});
-    const double offset = least <= 0.08 ? least - least * least / (4.0 * 0.04) : 0.04;
-    const glm::dvec3 reduced = radiance - offset;
-    const double peak = std::max({reduced.r, reduced.g, reduced.b});
-    glm::dvec3 mapped = reduced;
-    if (peak > 0.76) {
-        const double compressed = 1.0 - (1.0 - 0.76) * (1.0 - 0.76) / (peak + 1.0 - 2.0 * 0.76);
-        const double saturation = 1.0 / (0.15 * (peak - compressed) + 1.0);
-        mapped = glm::dvec3(compressed) * (1.0 - saturation) + reduced * (compressed / peak) * saturation;
-    }
-    const auto encode = [](double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055; };
-    return {encode(mapped.r), encode(mapped.g), encode(mapped.b)};
-}
-
-void expect_shows(const Image& picture, int x, int y, const glm::dvec3& radiance) {
-    const glm::dvec3 expected = displayed(radiance);
-    const glm::vec4& pixel = picture.texels.at(picture.index(x, y));
-    for (int channel = 0; channel < 3; ++channel) {
-        EXPECT_NEAR(pixel[channel], expected[channel], 2e-4) << "pixel " << x << ", " << y << " channel " << channel;
-    }
-    EXPECT_EQ(pixel.a, 1.0F);
-}
+using vkbake::test::displayed;
+using vkbake::test::expect_shows;
+using vkbake::test::map_of;
+using vkbake::test::square;
 
 /// A square that just fills the view at `depth`; its light UVs are (0,0) in the picture's upper left corner.
 void add_quad(Scene& scene, std::uint32_t material, double depth, double size = 1.0) {
@@ -81,14 +53,6 @@ std::uint32_t add_material(Scene& scene, const glm::vec4& base_color, AlphaMode 
     material.light_map->texture.tex_coord = 1;
     scene.materials.push_back(material);
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
-}
-
-Image map_of(int width, const std::vector<glm::vec3>& values) {
-    Image map{.width = width, .height = static_cast<int>(values.size()) / width, .texels = {}, .coverage = {}};
-    for (const glm::vec3& value : values) {
-        map.texels.emplace_back(value, 1.0F);
-    }
-    return map;
 }
 
 /// Every material uses the one map.

@@ -1,6 +1,8 @@
 // The public `render`: what a baked scene refers to is found, decoded and exposed.
 #include "vkbake/render.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -145,6 +147,90 @@ TEST(Render, OcclusionTexturesServeWhereThereIsNoLightMap) {
     EXPECT_NEAR(pixel.r, shown(0.4), 1e-3);
     EXPECT_EQ(pixel.r, pixel.g);
     EXPECT_EQ(pixel.g, pixel.b);
+}
+
+/// A folder that goes away.
+class Folder {
+public:
+    Folder() : m_path(std::filesystem::path(testing::TempDir()) / "vkbake-render-maps") {
+        std::filesystem::create_directories(m_path);
+    }
+    ~Folder() { std::filesystem::remove_all(m_path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
+
+private:
+    std::filesystem::path m_path;
+};
+
+TEST(Render, BentNormalsTakeTheLightOfTheSkyWhereTheyPoint) {
+    // Radiance 1 + d·(1, 0, 0) over a panorama whose middle is +X. On a surface that looks along n it makes
+    // E / π = 1 + 2/3 n·(1, 0, 0): Lambert's cosine halves the mean and takes two thirds of what is linear.
+    vkbake::EquirectangularSky linear;
+    linear.image = {.width = 128, .height = 64, .texels = {}, .coverage = {}};
+    for (int row = 0; row < 64; ++row) {
+        for (int column = 0; column < 128; ++column) {
+            const double azimuth = 2.0 * std::numbers::pi * ((column + 0.5) / 128.0 - 0.5);
+            const double x = std::sin(std::numbers::pi * (row + 0.5) / 64.0) * std::cos(azimuth);
+            linear.image.texels.emplace_back(glm::vec3(static_cast<float>(1.0 + x)), 1.0F);
+        }
+    }
+    vkbake::Sky sky;
+    sky.source = linear;
+    sky.intensity = 3.0; // shows in nothing: the picture is exposed by its light
+    const Folder folder;
+    Image bent{.width = 2, .height = 1, .texels = {}, .coverage = {}};
+    bent.texels = {{-0.3F, 0.4F, 0.0F, 1.0F}, {0.24F, 0.0F, 0.07F, 1.0F}}; // half open; a quarter
+    vkbake::write_image(folder.path() / "bent.exr", bent);
+    Scene scene = wall();
+    scene.directory = folder.path().string();
+    scene.images.push_back(png(map_of(glm::vec3(1.0F))));
+    scene.materials[0].occlusion_texture = vkbake::TextureUse{.image = 0, .tex_coord = 1};
+    scene.materials[0].bent_normal_file = "bent.exr";
+    const Image picture = vkbake::render(scene, sky, small(), device());
+    const double left = 0.5 * (1.0 - 2.0 / 3.0 * 0.6);
+    const double right = 0.25 * (1.0 + 2.0 / 3.0 * 0.96);
+    // Between two texels' centres light is mixed: the view shows the middle two thirds of the wall.
+    const auto light_at = [&](int column) {
+        const double u = 0.5 + ((column + 0.5) / 8.0 - 0.5) * 2.0 / 3.0;
+        const double share = std::clamp(2.0 * u - 0.5, 0.0, 1.0);
+        return left + share * (right - left);
+    };
+    const auto value = [&](int column) { return picture.texels[picture.index(column, 4)].g; };
+    double logarithms = 0.0;
+    for (int column = 0; column < 8; ++column) {
+        logarithms += std::log(light_at(column)) / 8.0;
+    }
+    for (const int column : {0, 3, 7}) {
+        EXPECT_NEAR(value(column), shown(0.4 * light_at(column) / std::exp(logarithms)), 3e-3) << column;
+    }
+    scene.materials[0].bent_normal_file = "lost.exr";
+    EXPECT_NEAR(middle_of(scene).g, shown(0.4), 1e-3) << "without the EXR the embedded lengths serve";
+}
+
+TEST(Render, DirectionalMapsAreDrawnUnlessOneIsMissingOrSwitchedOff) {
+    const Folder folder;
+    Scene scene = wall();
+    scene.directory = folder.path().string();
+    scene.meshes[0].primitives[0].tex_coords[0] = scene.meshes[0].primitives[0].tex_coords[1];
+    scene.images.push_back(png(map_of(glm::vec3(1.0F))));
+    scene.images.push_back(png(map_of({0.9F, 0.5F, 0.7F}))); // leans to the right
+    scene.materials[0].normal_map = vkbake::NormalMapUse{.texture = {.image = 1}};
+    scene.materials[0].light_map = vkbake::LightMapUse{.texture = {.image = 0, .tex_coord = 1},
+                                                       .intensity = 50.0F,
+                                                       .linear_file = {},
+                                                       .directional_files = {"0.exr", "1.exr", "2.exr", "3.exr"}};
+    for (int i = 0; i < 4; ++i) { // light from the right, and from the wall's front
+        const std::array<float, 4> coefficients{1.0F, 0.0F, 0.5F, 1.0F};
+        vkbake::write_image(folder.path() / (std::to_string(i) + ".exr"), map_of(glm::vec3(coefficients[i])));
+    }
+    EXPECT_GT(middle_of(scene).g, shown(0.4) + 0.05);
+    vkbake::RenderSettings off = small();
+    off.directional = vkbake::Switch::off;
+    EXPECT_NEAR(middle_of(scene, off).g, shown(0.4), 1e-3);
+    std::filesystem::remove(folder.path() / "2.exr");
+    EXPECT_NEAR(middle_of(scene).g, shown(0.4), 1e-3);
 }
 
 TEST(Render, SkyIsShownBehindUnlessItIsLeftOut) {

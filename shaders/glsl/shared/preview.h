@@ -17,6 +17,9 @@ using uint = std::uint32_t;
 // Floats a vertex: position 3, base UV 2, emissive UV 2, light UV 2, colour 4.
 #define PREVIEW_VERTEX_FLOATS 13
 
+// Floats of what a normal map needs of a vertex: normal 3, UV 2, tangent 4.
+#define PREVIEW_RELIEF_FLOATS 9
+
 // What a surface shows: its radiance; that of base_color as it is, without texture and vertex colour but for alpha, and
 // without emission; or the light that falls on it, alpha 1.
 #define PREVIEW_SHOW_ALL 0u
@@ -34,10 +37,11 @@ struct PreviewConstants {
     vec2 clip_scale;  // clip.xy = scale · eye.xy + offset · clip.w
     vec2 clip_offset;
     vec4 depth;       // clip.z = x · eye.z + y; clip.w = z · eye.z + w
+    vec4 orientation; // a unit quaternion that turns eye space into the world's axes
     uint show;        // one of PREVIEW_SHOW_…
+    float normal_scale;
     uint unused_0;    // to a multiple of 16 bytes, which GLSL would add unasked
     uint unused_1;
-    uint unused_2;
 };
 
 struct ResolveConstants {

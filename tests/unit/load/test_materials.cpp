@@ -30,7 +30,8 @@ TEST(Materials, DefaultsAreThoseOfGltf) {
     EXPECT_FALSE(material.double_sided);
     EXPECT_EQ(material.emissive, glm::vec3(0.0F));
     EXPECT_FALSE(material.base_color_texture || material.emissive_texture || material.occlusion_texture ||
-                 material.light_map);
+                 material.light_map || material.normal_map);
+    EXPECT_TRUE(material.bent_normal_file.empty());
 }
 
 TEST(Materials, EveryFieldIsRead) {
@@ -41,6 +42,7 @@ TEST(Materials, EveryFieldIsRead) {
         "alphaMode": "MASK", "alphaCutoff": 0.75, "doubleSided": true,
         "emissiveFactor": [1, 0.5, 0.25], "emissiveTexture": {"index": 1},
         "occlusionTexture": {"index": 1, "texCoord": 1},
+        "normalTexture": {"index": 0, "texCoord": 2, "scale": 0.5},
         "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8},
             "KHR_materials_transmission": {"transmissionFactor": 0.25, "transmissionTexture": {"index": 0, "texCoord": 3}}}})");
     builder.json["samplers"][0]["magFilter"] = 9728;
@@ -55,6 +57,9 @@ TEST(Materials, EveryFieldIsRead) {
     const TextureUse& base = *material.base_color_texture;
     EXPECT_EQ(base.image, 0U);
     EXPECT_EQ(base.tex_coord, 2U); // the transform's own overrides
+    ASSERT_TRUE(material.normal_map);
+    EXPECT_EQ(material.normal_map->texture.tex_coord, 2U);
+    EXPECT_EQ(material.normal_map->scale, 0.5F);
     EXPECT_EQ(material.transmission, 0.25F);
     ASSERT_TRUE(material.transmission_texture);
     EXPECT_EQ(material.transmission_texture->tex_coord, 3U);
@@ -99,7 +104,49 @@ TEST(Materials, LightMapsOfABakedScene) {
     EXPECT_EQ(use.texture.tex_coord, 1U);
     EXPECT_EQ(use.intensity, 12.5F);
     EXPECT_EQ(use.linear_file, "lightmaps/wall.exr");
+    EXPECT_EQ(use.directional_files[0], "");
+    EXPECT_EQ(scene.materials[0].bent_normal_file, "");
     EXPECT_TRUE(scene.notes.empty());
+}
+
+TEST(Materials, DirectionalMapsAndBentNormalsOfABakedScene) {
+    DocumentBuilder builder = textured_document();
+    builder.json["materials"][0]["extras"]["vkbake"] = {{"lightMap", "lightmaps/wall.exr"}, {"mode", "bent-normal"}};
+    EXPECT_EQ(builder.load().materials[0].bent_normal_file, "lightmaps/wall.exr");
+
+    builder.json["extensionsUsed"] = {"MOZ_lightmap"};
+    builder.json["materials"][0]["extensions"]["MOZ_lightmap"] = {{"index", 1}, {"texCoord", 1}};
+    Json& own = builder.json["materials"][0]["extras"]["vkbake"];
+    own = {{"lightMap", "wall.exr"}, {"mode", "irradiance"}, {"directional", {"0.exr", "1.exr", "2.exr", "3.exr"}}};
+    const Material baked = builder.load().materials[0];
+    EXPECT_EQ(baked.bent_normal_file, "");
+    EXPECT_EQ(baked.light_map->directional_files, (std::array<std::string, 4>{"0.exr", "1.exr", "2.exr", "3.exr"}));
+
+    own["directional"] = {"0.exr", "../1.exr", "2.exr", "3.exr"};
+    expect_refused(builder, "../1.exr");
+    for (const Json& odd : {Json(3), Json({"0.exr"}), Json("0.exr")}) { // somebody else's extras may look alike
+        own["directional"] = odd;
+        EXPECT_EQ(builder.load().materials[0].light_map->directional_files[0], "");
+    }
+}
+
+TEST(Materials, TangentsAreReadWhereADirectionalMapNeedsThem) {
+    DocumentBuilder builder = textured_document();
+    Json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+    const std::vector<float> tangents{1, 0, 0, 1, 0, 1, 0, -1, 0, 0, 1, 1};
+    attributes["TANGENT"] = builder.add(tangents, "VEC4");
+    attributes["NORMAL"] = builder.add(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+    builder.json["extensionsUsed"] = {"MOZ_lightmap"};
+    Json& material = builder.json["materials"][0];
+    material["extensions"]["MOZ_lightmap"] = {{"index", 1}, {"texCoord", 1}};
+    material["extras"]["vkbake"]["directional"] = {"0.exr", "1.exr", "2.exr", "3.exr"};
+    EXPECT_TRUE(builder.load().meshes[0].primitives[0].tangents.empty()) << "no normal map";
+    material["normalTexture"]["index"] = 0;
+    const auto read = builder.load().meshes[0].primitives[0].tangents;
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_EQ(read[1], glm::vec4(0, 1, 0, -1));
+    material["extras"]["vkbake"].erase("directional");
+    EXPECT_TRUE(builder.load().meshes[0].primitives[0].tangents.empty()) << "nothing to light them";
 }
 
 TEST(Materials, FaultsAreRefusedByName) {

@@ -51,7 +51,7 @@ TEST(PreviewGeometry, EyeSpaceKeepsItsDigitsFarFromTheOrigin) {
     scene.instances[0].translation = {1e7 + 0.125, 5e6, -3e7};
     vkbake::Camera camera;
     camera.position = {1e7, 5e6, -3e7 + 2.0};
-    const PreviewGeometry geometry = vkbake::make_geometry(scene, camera, false, unlimited);
+    const PreviewGeometry geometry = vkbake::make_geometry(scene, camera, {}, unlimited);
     EXPECT_EQ(geometry.chunks[0].vertices[1].position, glm::vec3(1.125F, 0.0F, -2.0F));
 }
 
@@ -63,7 +63,7 @@ TEST(PreviewGeometry, OneDrawAMaterialAndBlendedLastFromFarToNear) {
     for (const auto& [material, depth] : nodes) {
         add_triangle(scene, material, depth);
     }
-    const PreviewGeometry geometry = vkbake::make_geometry(scene, {}, false, unlimited);
+    const PreviewGeometry geometry = vkbake::make_geometry(scene, {}, {}, unlimited);
     ASSERT_EQ(geometry.opaque_draws, 2U);
     EXPECT_EQ(geometry.draws[0].material, 0U);
     EXPECT_EQ(geometry.draws[0].index_count, 6U);
@@ -82,7 +82,7 @@ TEST(PreviewGeometry, BlendedMaterialsAlternateByDepth) {
     add_triangle(scene, 0, 1.0);
     add_triangle(scene, 1, 2.0);
     add_triangle(scene, 0, 3.0);
-    const PreviewGeometry geometry = vkbake::make_geometry(scene, {}, false, unlimited);
+    const PreviewGeometry geometry = vkbake::make_geometry(scene, {}, {}, unlimited);
     ASSERT_EQ(geometry.draws.size(), 3U);
     EXPECT_EQ(geometry.opaque_draws, 0U);
     EXPECT_FLOAT_EQ(depth_of(geometry, geometry.draws[0]), 3.0F);
@@ -95,9 +95,9 @@ TEST(PreviewGeometry, SmallChunksHoldTheSameTriangles) {
     for (int i = 0; i < 20; ++i) {
         add_triangle(scene, 0, i + 1.0);
     }
-    const PreviewGeometry whole = vkbake::make_geometry(scene, {}, false, unlimited);
+    const PreviewGeometry whole = vkbake::make_geometry(scene, {}, {}, unlimited);
     const std::size_t few = 10 * sizeof(vkbake::PreviewVertex);
-    const PreviewGeometry parts = vkbake::make_geometry(scene, {}, false, few);
+    const PreviewGeometry parts = vkbake::make_geometry(scene, {}, {}, few);
     EXPECT_EQ(whole.chunks.size(), 1U);
     EXPECT_EQ(parts.chunks.size(), 7U); // three triangles each
     const auto corners = [](const PreviewGeometry& geometry) {
@@ -122,12 +122,12 @@ TEST(PreviewGeometry, NearAndFarHoldWhatIsInFrontOfTheEye) {
     add_triangle(scene, 0, 80.0);
     vkbake::Camera camera;
     camera.near_plane = 0.1;
-    const PreviewGeometry geometry = vkbake::make_geometry(scene, camera, false, unlimited);
+    const PreviewGeometry geometry = vkbake::make_geometry(scene, camera, {}, unlimited);
     EXPECT_GT(geometry.near, 4.9);
     EXPECT_LT(geometry.near, 5.0);
     EXPECT_GT(geometry.far, 80.0);
     add_triangle(scene, 0, -3.0); // behind the eye
-    EXPECT_DOUBLE_EQ(vkbake::make_geometry(scene, camera, false, unlimited).near, 0.1);
+    EXPECT_DOUBLE_EQ(vkbake::make_geometry(scene, camera, {}, unlimited).near, 0.1);
 }
 
 TEST(PreviewGeometry, TextureTransformTurnsCounterClockwiseAsSeen) {
@@ -148,7 +148,7 @@ TEST(PreviewGeometry, IndexOutOfRangeIsAnError) {
     Scene scene = scene_with_materials({vkbake::AlphaMode::opaque});
     add_triangle(scene, 0, 1.0);
     scene.meshes[0].primitives[0].indices[2] = 3;
-    EXPECT_THROW((void)vkbake::make_geometry(scene, {}, false, unlimited), vkbake::Error);
+    EXPECT_THROW((void)vkbake::make_geometry(scene, {}, {}, unlimited), vkbake::Error);
 }
 
 } // namespace
