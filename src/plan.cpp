@@ -1,11 +1,15 @@
 #include "vkbake/plan.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <set>
+#include <string>
+#include <system_error>
 
 #include "base/boundary.hpp"
 #include "material/surface_colors.hpp"
@@ -35,6 +39,13 @@ std::string percent(double share) {
     return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " %";
 }
 
+/// "2.5"
+std::string shortest_text(double value) {
+    std::array<char, 32> text{};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() ? std::string(text.data(), end) : std::to_string(value);
+}
+
 /// No surface reflects a greater share than this, in any channel.
 double greatest_albedo(const Scene& scene) {
     double greatest = 0.0;
@@ -60,6 +71,21 @@ PlanEntry plan_sky(const Settings& settings) {
         return {"sky", false, "mode " + std::string(name_of(settings.mode)) + " asks what is open, whatever the sky"};
     }
     return {"sky", true, "its direct light, " + rays_text(settings.rays, settings.sampler)};
+}
+
+PlanEntry plan_visibility(const Settings& settings) {
+    if (settings.mode == Mode::irradiance) {
+        return {"visibility", false, "not asked for (--mode ao or bent-normal)"};
+    }
+    std::string reason = settings.mode == Mode::ao ? "the share of the hemisphere that is open"
+                                                   : "the mean direction that is open, as long as the share that is";
+    if (settings.ao_distance) {
+        reason += "; surfaces within " + shortest_text(*settings.ao_distance) + " m count";
+        if (settings.ao_falloff != Falloff::none) {
+            reason += ", the farther the less (" + std::string(name_of(settings.ao_falloff)) + ")";
+        }
+    }
+    return {"visibility", true, reason + ", " + rays_text(settings.rays, settings.sampler)};
 }
 
 PlanEntry plan_sun(const Sky& sky, const Settings& settings) {
@@ -122,12 +148,21 @@ PlanEntry plan_bounces(const Scene& scene, const Settings& settings) {
                 " of the first's"};
 }
 
-PlanEntry plan_directional(const Settings& settings) {
+PlanEntry plan_directional(const Scene& scene, const Settings& settings) {
+    const std::size_t count =
+        count_materials(scene, [](const Material& material) { return material.normal_map.has_value(); });
+    const std::string normal_maps =
+        count == 0 ? "no material has a normal map"
+                   : of_materials(count, scene) + (count == 1 ? " has a normal map" : " have normal maps");
+    if (settings.mode != Mode::irradiance) {
+        return {"directions", false, normal_maps + "; " + no_light(settings)};
+    }
     if (settings.directional == Switch::off) {
-        return {"directions", false, "not asked for (--directional on), for renderers with normal maps"};
+        return {"directions", false, "not asked for (--directional on); " + normal_maps};
     }
     return {"directions", true,
-            "four maps beside each light map, " + rays_text(settings.directional_rays, Sampler::cosine) + " more"};
+            "four maps beside each light map, " + rays_text(settings.directional_rays, Sampler::cosine) + " more; " +
+                normal_maps};
 }
 
 PlanEntry plan_probes(const Scene& scene, const Settings& settings) {
@@ -199,11 +234,12 @@ PlanEntry plan_alpha(const Scene& scene, const Settings& settings) {
 std::vector<PlanEntry> make_plan(const Scene& scene, const Settings& settings, const Sky& sky) {
     return at_boundary([&] {
         return std::vector<PlanEntry>{plan_sky(settings),
+                                      plan_visibility(settings),
                                       plan_sun(sky, settings),
                                       plan_lamps(scene, settings),
                                       plan_bounces(scene, settings),
                                       plan_emission(scene, settings),
-                                      plan_directional(settings),
+                                      plan_directional(scene, settings),
                                       plan_probes(scene, settings),
                                       plan_textures(scene, settings),
                                       plan_alpha(scene, settings)};

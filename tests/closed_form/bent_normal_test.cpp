@@ -1,4 +1,5 @@
 // Where it is open, on average: mode bent-normal where that is known.
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "bent_light.hpp"
 #include "configuration_factors.hpp"
 #include "hand_made.hpp"
 #include "host_bake.hpp"
@@ -31,6 +33,37 @@ glm::dvec3 bent_normal(test::SurfaceMaker maker, const Settings& settings) {
     const Surface surface = maker.finish();
     const std::vector<test::SamplePoint> points{test::point_on(surface, floor, {0.48, 0.04, 0.48})};
     return Tracer(surface, test::white_sky(), settings).trace(test::geometry_image(points, 1)).image.texels[0];
+}
+
+TEST(BentNormal, ASunOfOneTexelIsInTheSkysCoefficients) {
+    constexpr int width = 1024;
+    constexpr int row = 160;
+    constexpr int column = 300;
+    constexpr double pi = std::numbers::pi;
+    EquirectangularSky picture;
+    picture.image = {.width = width, .height = width / 2, .texels = {}, .coverage = {}};
+    picture.image.texels.assign(std::size_t{width} * width / 2, glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));
+    picture.image.texels[picture.image.index(column, row)] = {1e5F, 2e5F, 0.0F, 1.0F};
+    Sky sky;
+    sky.source = picture;
+    // Its bilinear tent has the light of a whole texel: (2π / width) · (π / height) · sin.
+    const double polar = pi * (row + 0.5) / (width / 2.0);
+    const double azimuth = 2.0 * pi * ((column + 0.5) / width - 0.5);
+    const double flux = 1e5 * (2.0 * pi / width) * (2.0 * pi / width) * std::sin(polar);
+    const glm::dvec3 towards(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth));
+    const std::array<glm::vec3, 9> found = sky_coefficients(sky);
+    const auto expect_coefficient = [&](std::size_t which, double basis) {
+        EXPECT_NEAR(found[which].r, flux * basis, 0.01 * flux) << which;
+        EXPECT_NEAR(found[which].g, 2.0 * flux * basis, 0.02 * flux) << which;
+        EXPECT_EQ(found[which].b, 0.0F) << which;
+    };
+    expect_coefficient(0, std::sqrt(1.0 / (4.0 * pi)));
+    const double first = std::sqrt(3.0 / (4.0 * pi));
+    expect_coefficient(1, first * towards.y);
+    expect_coefficient(2, first * towards.z);
+    expect_coefficient(3, first * towards.x);
+    expect_coefficient(4, std::sqrt(15.0 / (4.0 * pi)) * towards.x * towards.y);
+    expect_coefficient(6, std::sqrt(5.0 / (16.0 * pi)) * (3.0 * towards.z * towards.z - 1.0));
 }
 
 TEST(BentNormal, OfAnOpenPlaneIsItsNormal) {

@@ -53,10 +53,27 @@ TEST(Plan, CountsLampsAndTheirRays) {
     EXPECT_FALSE(entry(scene, settings, "lamps").modelled);
 }
 
-TEST(Plan, DirectionsAreThereWhereTheyAreAskedFor) {
+TEST(Plan, SaysHowFarVisibilityIsAsked) {
     const Scene scene = test::painted_floor({});
     Settings settings;
+    EXPECT_FALSE(entry(scene, settings, "visibility").modelled);
+    settings.mode = Mode::bent_normal;
+    EXPECT_TRUE(entry(scene, settings, "visibility").modelled);
+    EXPECT_TRUE(says(entry(scene, settings, "visibility"), "mean direction"));
+    settings.mode = Mode::ao;
+    settings.ao_distance = 2.5;
+    settings.ao_falloff = Falloff::linear;
+    EXPECT_TRUE(says(entry(scene, settings, "visibility"), "within 2.5 m"));
+    EXPECT_TRUE(says(entry(scene, settings, "visibility"), "(linear), 256 rays a texel"));
+}
+
+TEST(Plan, DirectionsAreThereWhereTheyAreAskedFor) {
+    Scene scene = test::painted_floor({});
+    Settings settings;
     EXPECT_FALSE(entry(scene, settings, "directions").modelled);
+    EXPECT_TRUE(says(entry(scene, settings, "directions"), "no material has a normal map"));
+    scene.materials[0].normal_map = NormalMapUse{};
+    EXPECT_TRUE(says(entry(scene, settings, "directions"), "1 of 1 materials has a normal map"));
     settings.directional = Switch::on;
     settings.directional_rays = 100;
     EXPECT_TRUE(entry(scene, settings, "directions").modelled);

@@ -18,22 +18,13 @@
 #include "base/random.hpp"
 #include "chi_squared.hpp"
 #include "highway_targets.hpp"
+#include "sky_looked_up.hpp"
 #include "trace/peak_cut.hpp"
 #include "trace/peak_directions.hpp"
 #include "trace/sky_sum.hpp"
 
 namespace vkbake {
 namespace {
-
-Image image_of(int width, int height, const std::function<glm::vec3(int, int)>& value) {
-    Image image{.width = width, .height = height};
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            image.texels.emplace_back(value(x, y), 1.0F);
-        }
-    }
-    return image;
-}
 
 /// A dim sky with bright texels where tents meet the picture's borders: at the seam, at a pole, in the middle.
 Sky panorama_with_suns() {
@@ -43,14 +34,14 @@ Sky panorama_with_suns() {
                          (x == 21 && y == 7);
         return sun ? glm::vec3(900.0F, 700.0F, 300.0F + 20.0F * static_cast<float>(x)) : result;
     };
-    return {.source = EquirectangularSky{image_of(32, 16, value)}, .rotation_degrees = 25.0};
+    return {.source = EquirectangularSky{test::picture(32, 16, value)}, .rotation_degrees = 25.0};
 }
 
 /// The same on a cube: at an edge, at a corner, within a face.
 Sky cube_with_suns() {
     CubeSky cube;
     for (int face = 0; face < 6; ++face) {
-        cube.faces[static_cast<std::size_t>(face)] = image_of(8, 8, [&](int x, int y) {
+        cube.faces[static_cast<std::size_t>(face)] = test::picture(8, 8, [&](int x, int y) {
             const bool sun =
                 (face == 2 && x == 7 && y == 3) || (face == 4 && x == 0 && y == 0) || (face == 0 && x == 3 && y == 2);
             return sun ? glm::vec3(500.0F, 400.0F, 600.0F) : glm::vec3(0.5F, 0.25F, 0.125F * static_cast<float>(face));
@@ -178,8 +169,8 @@ TEST(SkyPeaks, LeaveNothingAboveTheThreshold) {
 TEST(SkyPeaks, AreFoundBySolidAngleAndLight) {
     // One texel of 64 × 32 is the sun, 10⁵ times as bright as all others, which are 1.
     const int row = 9;
-    const Sky sky{.source = EquirectangularSky{
-                      image_of(64, 32, [&](int x, int y) { return glm::vec3(x == 40 && y == row ? 1e5F : 1.0F); })}};
+    const Sky sky{.source = EquirectangularSky{test::picture(
+                      64, 32, [&](int x, int y) { return glm::vec3(x == 40 && y == row ? 1e5F : 1.0F); })}};
     const PeakCut cut = find_peaks(make_sky_lookup(sky));
     const double texel = 2.0 * std::numbers::pi / 64 * std::numbers::pi / 32 *
                          std::sin(std::numbers::pi * (row + 0.5) / 32) / (4.0 * std::numbers::pi);
@@ -193,13 +184,13 @@ TEST(SkyPeaks, AreNotMadeOfSmoothSkies) {
     EXPECT_FALSE(worthwhile({.source = ConstantSky{}}));
     EXPECT_FALSE(worthwhile({.source = ClearSky{}}));
     EXPECT_FALSE(
-        worthwhile({.source = EquirectangularSky{image_of(32, 16, [](int, int) { return glm::vec3(3.0F); })}}));
+        worthwhile({.source = EquirectangularSky{test::picture(32, 16, [](int, int) { return glm::vec3(3.0F); })}}));
     EXPECT_FALSE(
-        worthwhile({.source = EquirectangularSky{image_of(32, 16, [](int, int) { return glm::vec3(0.0F); })}}));
-    EXPECT_FALSE(worthwhile({.source = EquirectangularSky{image_of(32, 16, [](int, int y) {
+        worthwhile({.source = EquirectangularSky{test::picture(32, 16, [](int, int) { return glm::vec3(0.0F); })}}));
+    EXPECT_FALSE(worthwhile({.source = EquirectangularSky{test::picture(32, 16, [](int, int y) {
                                  return glm::vec3(y < 8 ? 1.0F + 0.2F * static_cast<float>(y) : 0.1F);
                              })}}));
-    EXPECT_FALSE(worthwhile({.source = EquirectangularSky{image_of(8, 4, [](int x, int) { // too coarse
+    EXPECT_FALSE(worthwhile({.source = EquirectangularSky{test::picture(8, 4, [](int x, int) { // too coarse
                                  return glm::vec3(x == 3 ? 1000.0F : 1.0F);
                              })}}));
 }
@@ -237,7 +228,7 @@ TEST(SkyPeaks, SamplesComeAsOftenAsTheirProbabilitySays) {
 
 TEST(SkyPeaks, SamplesOfATexelFollowItsTent) {
     const Sky sky{.source = EquirectangularSky{
-                      image_of(32, 16, [](int x, int y) { return glm::vec3(x == 24 && y == 8 ? 1e4F : 0.0F); })}};
+                      test::picture(32, 16, [](int x, int y) { return glm::vec3(x == 24 && y == 8 ? 1e4F : 0.0F); })}};
     SkyLookup lookup = make_sky_lookup(sky);
     const SkyPeaks peaks(lookup, find_peaks(lookup).threshold);
     ASSERT_EQ(peaks.count(), 1U);
@@ -291,7 +282,7 @@ TEST(SkyPeaks, BesideASunLoseNothing) {
     // A sun of 10⁹ and, in its row, texels whose share is far below a step of the choosing number: their light, the
     // sum of powers by what is sampled, is all there.
     const auto value = [](int x, int y) { return glm::vec3(y != 8 ? 0.0F : x == 24 ? 1e9F : 0.5F); };
-    SkyLookup lookup = make_sky_lookup({.source = EquirectangularSky{image_of(32, 16, value)}});
+    SkyLookup lookup = make_sky_lookup({.source = EquirectangularSky{test::picture(32, 16, value)}});
     const SkyPeaks peaks(lookup, 0.25);
     double dim = 0.0;
     double whole = 0.0;
