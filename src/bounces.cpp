@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bounce_error.hpp"
 #include "imageio/decode.hpp"
 #include "material/color_texture.hpp"
 #include "material/surface_colors.hpp"
@@ -60,14 +61,6 @@ LeavingLight leaving(const Image& map, const SurfaceColors& colors, bool with_em
     return light;
 }
 
-void add(const LightMap& gathered, LightMap& map) {
-    for (std::size_t texel = 0; texel < map.image.texels.size(); ++texel) {
-        map.image.texels[texel] += glm::vec4(glm::vec3(gathered.image.texels[texel]), 0.0F);
-    }
-    map.statistics.bounce_rays += gathered.statistics.bounce_rays;
-    map.statistics.seconds += gathered.statistics.seconds;
-}
-
 /// Adds light to what has been sent, of which there may be nothing yet.
 void add(const std::vector<LeavingLight>& lights, std::vector<LeavingLight>& sent) {
     if (sent.empty()) {
@@ -116,10 +109,10 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
         for (std::size_t page = 0; page < pages; ++page) {
             clock.begin_page((bounce - 1) * pages + page, bake.settings.bounces * pages);
             const LightMap gathered = clock.run("bounces", [&] {
-                return tracer.gather(draw(page), light, bounce, emitters ? &*emitters : nullptr,
-                                     clock.trace_progress("bounces"));
+                const GatherOptions options{emitters ? &*emitters : nullptr, known_light(bake.light_maps[page])};
+                return tracer.gather(draw(page), light, bounce, options, clock.trace_progress("bounces"));
             });
-            add(gathered, bake.light_maps[page]);
+            add_bounce(gathered, bake.light_maps[page]);
             next.push_back(leaving(gathered.image, colors[page], false));
             if (emitters) {
                 next[page].sought = next[page].radiance; // what small lamps light beside them is small and bright too

@@ -44,6 +44,8 @@ constexpr std::uint64_t touched_work_texel_bytes = 52;
 /// texel's samples and orders 100.
 constexpr std::uint64_t estimated_map_texel_bytes = 8;
 constexpr std::uint64_t estimated_work_texel_bytes = 100;
+/// Of the one map that is worked on, where bounces are estimated: standard error and rays of the bounce's own.
+constexpr std::uint64_t estimated_bounce_texel_bytes = 8;
 /// Of the one map that is denoised: each texel's variance, what the filter reads 48 and what it makes 20.
 constexpr std::uint64_t denoised_work_texel_bytes = 72;
 /// Of the tile of a map that the device works on: the geometry image's targets and what they are read back into.
@@ -204,8 +206,9 @@ std::uint64_t peak_memory(const MemoryNeed& need) {
         map_texel_bytes + (need.bounces ? bounce_texel_bytes : 0) +
         (need.directional ? directional_texel_bytes + (need.bounces ? sent_texel_bytes : 0) : 0) +
         (need.estimated ? estimated_map_texel_bytes : 0);
-    const std::uint64_t whole =
-        (need.copied ? copied_work_texel_bytes : work_texel_bytes) + (need.denoised ? denoised_work_texel_bytes : 0);
+    const std::uint64_t whole = (need.copied ? copied_work_texel_bytes : work_texel_bytes) +
+                                (need.denoised ? denoised_work_texel_bytes : 0) +
+                                (need.estimated && need.bounces ? estimated_bounce_texel_bytes : 0);
     const std::uint64_t touched = touched_work_texel_bytes -
                                   (need.copied ? copied_work_texel_bytes : work_texel_bytes) +
                                   (need.estimated ? estimated_work_texel_bytes : 0);

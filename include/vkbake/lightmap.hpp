@@ -35,7 +35,7 @@ struct LightMapStatistics {
 };
 
 /// What a map's own samples say of its error: of luminance (Rec. 709), noise alone (what one sample point a texel
-/// cannot show is no part of it).
+/// cannot show is no part of it). Of all light, that of bounces with it; rays and slope are of the direct light.
 struct MapError {
     double relative_rmse = 0.0; ///< root-mean-square error over the covered texels ÷ the map's mean
     double percentile_99 = 0.0; ///< of the texels' standard errors ÷ the map's mean

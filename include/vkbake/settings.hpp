@@ -63,7 +63,8 @@ struct Settings {
     /// How often light is followed from surface to surface after the sky's; 0: the sky's direct light alone. The first
     /// also brings what surfaces emit. 0 … 64; mode irradiance.
     std::uint32_t bounces = 0;
-    std::uint32_t bounce_rays = 64; ///< a texel and bounce; ≥ 1. Sampler `thesis` always takes its own 256
+    std::uint32_t bounce_rays = 64; ///< a texel and bounce; ≥ 1, 16 where errors are estimated. Sampler `thesis` always
+                                    ///< takes its own 256
     /// Whether maps also tell where their light comes from (LightMap::directional), for renderers with normal maps, by
     /// `directional_rays` more rays a texel. Mode irradiance.
     Switch directional = Switch::off;
@@ -75,8 +76,8 @@ struct Settings {
     Alpha alpha = Alpha::traced;
     /// Relative error that a map is to have: root-mean-square error of luminance ÷ the map's mean, and no more than one
     /// texel in a hundred with a standard error above eight times that. Each texel then gets as many rays as it takes,
-    /// 16 to 65536, and `rays` means nothing; the errors are estimated. Of the sky's direct light: bounces have their
-    /// own rays. > 0; sampler cosine.
+    /// 16 to 65536, of direct light and of each bounce, whose light counts in both; `rays` and `bounce_rays` mean
+    /// nothing; the errors are estimated. > 0; sampler cosine.
     std::optional<double> target_error;
     /// Seconds that bake() may take, the map as good as they allow; with target_error, whichever is reached first. The
     /// result depends on the machine, unlike any other's. > 0; sampler cosine, no bounces.

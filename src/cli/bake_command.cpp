@@ -50,8 +50,9 @@ void print_error(const MapError& error) {
         fmt::print("  {:<24} {:.2g} % before it was denoised\n", "", 100.0 * error.noise_rmse);
     }
     if (error.mean_rays > 0.0) {
-        fmt::print("  {:<24} {:.0f} rays a texel; {:.0f} for all alike would do as well, {:.0f} at best\n", "",
-                   error.mean_rays, error.uniform_rays, error.best_mean_rays);
+        fmt::print(
+            "  {:<24} {:.0f} rays a texel of direct light; {:.0f} for all alike would do as well, {:.0f} at best\n", "",
+            error.mean_rays, error.uniform_rays, error.best_mean_rays);
     }
     if (!error.target_reached) {
         fmt::print("  {:<24} note: the error asked for was not reached\n", "");
@@ -73,6 +74,9 @@ void print_maps(const Bake& bake) {
                        statistics.peak_rays > 0 ? "the sky's brightest places" : "",
                        statistics.peak_rays > 0 && statistics.lamp_rays > 0 ? " and " : "",
                        statistics.lamp_rays > 0 ? "lamps" : "");
+        }
+        if (statistics.bounce_rays > 0) {
+            fmt::print("  {:<24} {} rays of bounces\n", "", count_text(static_cast<double>(statistics.bounce_rays)));
         }
         if (statistics.directional_rays > 0) {
             fmt::print("  {:<24} {} rays for where it comes from\n", "",

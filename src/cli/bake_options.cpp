@@ -77,7 +77,8 @@ void add_light_options(CLI::App& app, Settings& settings) {
                    "How often light is followed from surface to surface; the first also brings what surfaces emit")
         ->check(CLI::Range(0U, 64U))
         ->capture_default_str();
-    app.add_option("--bounce-rays", settings.bounce_rays, "Rays a texel of each bounce")
+    app.add_option("--bounce-rays", settings.bounce_rays,
+                   "Rays a texel of each bounce; where an error is asked for, as many as that takes")
         ->check(CLI::Range(1U, 1U << 24U))
         ->capture_default_str();
     add_choice(app, "--directional", settings.directional,
@@ -102,7 +103,7 @@ void add_light_options(CLI::App& app, Settings& settings) {
                "Let light through where a material's alpha or transmission does, or take all surfaces for whole");
     app.add_option_function<double>(
            "--target-error", [&settings](double error) { settings.target_error = error; },
-           "Instead of --rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")
+           "Instead of --rays and --bounce-rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")
         ->check(CLI::PositiveNumber);
     app.add_option_function<std::string>(
            "--quality",

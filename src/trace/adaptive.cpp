@@ -31,8 +31,8 @@ double fallen(double ratio, std::uint32_t rays) {
 
 class Adaptive {
 public:
-    Adaptive(SampledMap& map, const Workers& workers, const AdaptiveGoal& goal, const AdaptiveReport& report)
-        : m_map(map), m_workers(workers), m_goal(goal), m_report(report) {
+    Adaptive(SampledMap& map, const Samplers& samplers, const AdaptiveGoal& goal, const AdaptiveReport& report)
+        : m_map(map), m_samplers(samplers), m_goal(goal), m_report(report) {
         for (const TexelTile& tile : map.tiles()) {
             m_texels += tile.count;
         }
@@ -71,7 +71,7 @@ private:
         }
         const double before = m_result.samples;
         const bool first = before == 0.0; // the pilot is taken whole
-        const std::size_t done = m_map.extend(orders, m_workers, [&](std::size_t count) {
+        const std::size_t done = m_map.extend(orders, m_samplers, [&](std::size_t count) {
             const double share = orders.empty() ? 1.0 : static_cast<double>(count) / static_cast<double>(orders.size());
             tell((before + share * samples) / m_foretold);
             return first || !m_goal.deadline || seconds_until(*m_goal.deadline) > 0.0;
@@ -99,7 +99,7 @@ private:
             whole += at_pilot[tile] * m_map.tiles()[tile].count / m_texels;
         }
         // The map's own estimate goes by the coarse contrasts, which err less on the sum.
-        const double scale = measured > 0.0 ? m_estimate.variance * m_texels / measured : 0.0;
+        const double scale = measured > 0.0 ? m_estimate.sampled.variance * m_texels / measured : 0.0;
         std::vector<TileNeed> needs(count);
         for (std::size_t tile = 0; tile < count; ++tile) {
             constexpr double of_neighbours = 0.28;
@@ -120,15 +120,18 @@ private:
         if (m_goal.deadline) {
             return orders_in_time(needs);
         }
-        const double target = *m_goal.error * m_estimate.mean;
+        const double target = *m_goal.error * m_estimate.mean();
         Allocation allocation{.doublings = std::vector<std::uint8_t>(needs.size(), 0)};
-        if (m_estimate.relative_rmse() > *m_goal.error) {
+        if (m_estimate.relative_rmse() > *m_goal.error && m_estimate.sampled.variance > 0.0) {
             double sum = 0.0; // what the smoothed needs say of the map as it is
             for (const TileNeed& need : needs) {
                 sum += need.variance;
             }
-            const double factor = aim * target * aim * target / m_estimate.variance;
-            allocation = allocate_for_variance(needs, m_estimate.ratio, factor * sum);
+            // Where the light before leaves no room, what can be had is that this one hardly adds to its error.
+            constexpr double least_share = 0.05;
+            const double goal = std::max(aim * target * aim * target - m_estimate.before.variance,
+                                         least_share * m_estimate.before.variance);
+            allocation = allocate_for_variance(needs, m_estimate.ratio, goal / m_estimate.sampled.variance * sum);
         }
         // Before the end, so that what it takes from the error counts for the others.
         constexpr double near_the_end = 1.5;
@@ -247,7 +250,7 @@ private:
     }
 
     SampledMap& m_map;
-    const Workers& m_workers;
+    const Samplers& m_samplers;
     const AdaptiveGoal& m_goal;
     const AdaptiveReport& m_report;
     MapEstimate m_estimate;
@@ -261,9 +264,9 @@ private:
 
 } // namespace
 
-AdaptiveResult sample_adaptively(SampledMap& map, const Workers& workers, const AdaptiveGoal& goal,
+AdaptiveResult sample_adaptively(SampledMap& map, const Samplers& samplers, const AdaptiveGoal& goal,
                                  const AdaptiveReport& report) {
-    return Adaptive(map, workers, goal, report).run();
+    return Adaptive(map, samplers, goal, report).run();
 }
 
 } // namespace vkbake

@@ -36,7 +36,7 @@ struct AdaptiveResult {
 /// What decides is a tile's variance, smoothed with that of its neighbours along the tiles' curve and a little of the
 /// map's: of sixteen texels and more, so a texel's own luck hardly decides whether it gets more rays, which would bias
 /// it. Without a deadline a pure function of the samples.
-AdaptiveResult sample_adaptively(SampledMap& map, const Workers& workers, const AdaptiveGoal& goal,
+AdaptiveResult sample_adaptively(SampledMap& map, const Samplers& samplers, const AdaptiveGoal& goal,
                                  const AdaptiveReport& report);
 
 } // namespace vkbake

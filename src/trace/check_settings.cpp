@@ -26,6 +26,10 @@ void check_trace_settings(const Settings& settings) {
     const bool adaptive = settings.target_error || settings.seconds;
     require(!(settings.estimate_error || denoised) || adaptive || settings.rays >= least_estimated_rays,
             "an error estimate of " + std::to_string(settings.rays) + " rays a texel; give 16 or more");
+    require(!(settings.estimate_error || denoised) || settings.target_error || settings.bounces == 0 ||
+                settings.bounce_rays >= least_estimated_rays,
+            "an error estimate of " + std::to_string(settings.bounce_rays) +
+                " rays a texel and bounce; give 16 or more");
     const auto positive = [](const std::optional<double>& value) {
         return !value || (std::isfinite(*value) && *value > 0.0);
     };

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/luminance.hpp"
 #include "base/random.hpp"
 
 namespace vkbake {
@@ -53,9 +54,14 @@ struct Densities {
 
 EmitterTracer::EmitterTracer(const EmitterSet& emitters, const RayPlan& plan, RaySpread spread,
                              const Visibility& visibility)
-    : m_emitters(&emitters), m_spread(spread), m_strata(&std::get<CosineStrata>(plan.directions())),
+    : m_emitters(&emitters), m_spread(spread), m_plan(&plan), m_strata(&std::get<CosineStrata>(plan.directions())),
       m_visibility(&visibility), m_scratch(visibility.make_scratch()) {
     m_block.max_distance = 1.0F; // directions are as long as the way to the emitter
+}
+
+void EmitterTracer::set_plan(const RayPlan& plan) {
+    m_plan = &plan;
+    m_strata = &std::get<CosineStrata>(plan.directions());
 }
 
 // Evenly spread rays count what comes from low as much as what comes from high: so should the choice.
@@ -63,8 +69,15 @@ Receiver EmitterTracer::receiver_of(const TileLanes& lanes, std::size_t lane) co
     return {at_lane(lanes.origin, lane), m_spread == RaySpread::cosine ? at_lane(lanes.normal, lane) : glm::dvec3(0.0)};
 }
 
-void EmitterTracer::add(const TileLanes& lanes, std::array<glm::dvec3, RayBlock::lanes>& sums) {
-    trace(lanes, [&](std::size_t /*stratum*/, std::size_t lane, const glm::dvec3& light) { sums[lane] += light; });
+void EmitterTracer::add(const TileLanes& lanes, std::array<glm::dvec3, RayBlock::lanes>& sums, LaneParts* parts) {
+    const unsigned shift = parts != nullptr ? part_shift(m_plan->samples()) : 0;
+    trace(lanes, [&](std::size_t stratum, std::size_t lane, const glm::dvec3& light) {
+        sums[lane] += light;
+        if (parts != nullptr) {
+            parts->add(lane, m_indices.of[stratum][lane], shift, luminance(light));
+            parts->of_lights[lane] += luminance(light);
+        }
+    });
 }
 
 void EmitterTracer::add_harmonics(const TileLanes& lanes, LaneHarmonics& sums) {
@@ -86,7 +99,7 @@ void EmitterTracer::trace(const TileLanes& lanes, const Arrive& arrive) {
     m_own_lanes.covered = lanes.covered;
     invert_scrambles(*m_strata, m_own_lanes, m_tables);
     for (std::size_t number = 0; number < m_strata->block_count(); ++number) {
-        set_points(*m_strata, m_tables, m_own_lanes, number, m_block);
+        set_points(*m_strata, m_tables, m_own_lanes, number, m_block, &m_indices);
         aim(lanes);
         const BlockedRays blocked = m_visibility->blocked(m_block, m_scratch);
         for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
@@ -135,23 +148,24 @@ void EmitterTracer::aim(const TileLanes& lanes) {
     }
 }
 
-glm::vec3 EmitterTracer::arriving(const SurfaceLight& light, const TileLanes& lanes, std::size_t lane, const Ray& ray,
-                                  const Hit& hit) const {
+ArrivingLight EmitterTracer::arriving(const SurfaceLight& light, const TileLanes& lanes, std::size_t lane,
+                                      const Ray& ray, const Hit& hit) const {
     const glm::vec3 all = light.along(ray, hit);
     const glm::vec3 sought = light.sought_along(ray, hit);
     if (sought == glm::vec3(0.0F)) {
-        return all;
+        return {.all = all};
     }
     const double density = m_emitters->density(receiver_of(lanes, lane), hit.triangle);
     if (density == 0.0) {
-        return all;
+        return {.all = all};
     }
     const glm::dvec3 direction(ray.direction);
     const auto distance = static_cast<double>(hit.distance);
     const double chance = density_by_chance(m_spread, glm::dot(at_lane(lanes.normal, lane), direction));
     const double sent = std::abs(glm::dot(m_emitters->normal(hit.triangle), direction));
     const double left = sent > 0.0 ? Densities(chance, density, distance * distance, sent).weight_by_chance() : 0.0;
-    return (all - sought) + static_cast<float>(left) * sought;
+    const glm::vec3 left_over = static_cast<float>(left) * sought;
+    return {.all = (all - sought) + left_over, .sought = left_over};
 }
 
 } // namespace vkbake

@@ -56,7 +56,7 @@ void IncidentLight::add_surfaces(const RayBlock& block, const BlockedRays& met, 
             const Ray ray = ray_of(block, stratum, lane);
             for (const SeenSurface& seen : m_visibility->surfaces(ray, m_scratch)) {
                 const glm::vec3 light =
-                    seen.share * (emitters != nullptr ? emitters->arriving(*m_surfaces, lanes, lane, ray, seen.hit)
+                    seen.share * (emitters != nullptr ? emitters->arriving(*m_surfaces, lanes, lane, ray, seen.hit).all
                                                       : m_surfaces->along(ray, seen.hit));
                 for (std::size_t channel = 0; channel < 3; ++channel) {
                     m_radiance[stratum][channel][lane] += light[static_cast<glm::length_t>(channel)];

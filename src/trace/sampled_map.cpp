@@ -10,10 +10,14 @@
 
 namespace vkbake {
 
-double MapEstimate::relative_rmse() const { return variance > 0.0 ? std::sqrt(variance) / mean : 0.0; }
+double MapEstimate::relative_rmse() const {
+    const double variance = before.variance + sampled.variance;
+    return variance > 0.0 ? std::sqrt(variance) / mean() : 0.0;
+}
 
-SampledMap::SampledMap(std::span<const TexelTile> tiles, const Settings& settings, float max_distance, double intensity)
-    : m_tiles(tiles), m_settings(settings), m_max_distance(max_distance), m_intensity(intensity),
+SampledMap::SampledMap(std::span<const TexelTile> tiles, const Settings& settings, float max_distance, double intensity,
+                       const KnownLight& before)
+    : m_tiles(tiles), m_settings(settings), m_max_distance(max_distance), m_intensity(intensity), m_before(before),
       m_rays(tiles.size(), 0) {
     std::uint32_t slots = 0;
     m_first_slot.reserve(tiles.size());
@@ -24,7 +28,7 @@ SampledMap::SampledMap(std::span<const TexelTile> tiles, const Settings& setting
     m_records.resize(slots);
 }
 
-std::size_t SampledMap::extend(std::span<const TileOrder> orders, const Workers& workers,
+std::size_t SampledMap::extend(std::span<const TileOrder> orders, const Samplers& samplers,
                                const std::function<bool(std::size_t done)>& report) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, RayPlan> plans; // by the samples before and after
     std::uint64_t rays = 0;
@@ -44,11 +48,12 @@ std::size_t SampledMap::extend(std::span<const TileOrder> orders, const Workers&
     return run(loop, [&](std::size_t job, std::size_t worker) {
         const TileOrder& order = orders[job];
         const std::uint32_t had = m_rays[order.tile];
-        TileTracer& tracer = *workers[worker];
-        tracer.set_plan(plans.find({had, order.rays})->second);
-        tracer.trace_parts(m_tiles[order.tile], [&](std::uint32_t lane, const glm::dvec3& sum) {
-            add(m_first_slot[order.tile] + lane, lane, sum, tracer.parts(), had, order.rays);
-        });
+        TileSampler& sampler = *samplers[worker];
+        sampler.set_plan(plans.find({had, order.rays})->second);
+        sampler.sample(m_tiles[order.tile]);
+        for (std::uint32_t lane = 0; lane < m_tiles[order.tile].count; ++lane) {
+            add(m_first_slot[order.tile] + lane, lane, sampler.light(lane), sampler.parts(), had, order.rays);
+        }
         m_rays[order.tile] = order.rays;
     });
 }
@@ -82,21 +87,21 @@ void SampledMap::each_texel(const Visit& visit) const {
 }
 
 MapEstimate SampledMap::estimate() const {
-    MapEstimate result;
+    MapEstimate result{.before = m_before};
     if (m_records.empty()) {
         return result;
     }
     FallOfVariance fall;
     each_texel([&](std::uint32_t /*texel*/, const Record& record, std::uint32_t rays) {
         fall.add(contrasts(record.parts, rays));
-        result.mean += luminance(record.sum) / rays;
+        result.sampled.mean += luminance(record.sum) / rays;
     });
     result.ratio = fall.ratio();
     each_texel([&](std::uint32_t /*texel*/, const Record& record, std::uint32_t rays) {
-        result.variance += coarse_variance(contrasts(record.parts, rays), result.ratio, rays);
+        result.sampled.variance += coarse_variance(contrasts(record.parts, rays), result.ratio, rays);
     });
-    result.mean /= static_cast<double>(m_records.size());
-    result.variance /= static_cast<double>(m_records.size());
+    result.sampled.mean /= static_cast<double>(m_records.size());
+    result.sampled.variance /= static_cast<double>(m_records.size());
     return result;
 }
 
@@ -131,7 +136,7 @@ std::vector<float> SampledMap::variances(std::size_t texels) const {
     for (std::size_t tile = 0; tile < m_tiles.size(); ++tile) {
         sum += tile_variance(tile, whole.ratio);
     }
-    const double scale = sum > 0.0 ? whole.variance * static_cast<double>(m_records.size()) / sum : 0.0;
+    const double scale = sum > 0.0 ? whole.sampled.variance * static_cast<double>(m_records.size()) / sum : 0.0;
     std::vector<float> result(texels, 0.0F);
     each_texel([&](std::uint32_t texel, const Record& record, std::uint32_t rays) {
         result[texel] = static_cast<float>(scale * variance(contrasts(record.parts, rays), whole.ratio, rays));
@@ -154,10 +159,10 @@ void SampledMap::write_to(LightMap& map) const {
         errors.push_back(map.standard_error[texel]);
     });
     MapError error{.relative_rmse = whole.relative_rmse()};
-    if (!errors.empty() && whole.mean > 0.0) {
+    if (!errors.empty() && whole.mean() > 0.0) {
         const auto place = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100);
         std::nth_element(errors.begin(), place, errors.end());
-        error.percentile_99 = static_cast<double>(*place) / whole.mean;
+        error.percentile_99 = static_cast<double>(*place) / whole.mean();
     }
     error.slope = 0.5 * std::log2(whole.ratio);
     map.error = error;

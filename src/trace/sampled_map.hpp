@@ -5,29 +5,29 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "trace/contrasts.hpp"
+#include "trace/known_light.hpp"
 #include "trace/texel_tiles.hpp"
-#include "trace/tile_tracer.hpp"
+#include "trace/tile_sampler.hpp"
 #include "vkbake/lightmap.hpp"
+#include "vkbake/settings.hpp"
 
 namespace vkbake {
 
-/// One a worker, each for itself in memory: what they write while tracing shares no cache line.
-using Workers = std::vector<std::unique_ptr<TileTracer>>;
-
 /// The error of a whole map, of what was sampled so far.
 struct MapEstimate {
-    double mean = 0.0;     ///< luminance over the texels
-    double variance = 0.0; ///< mean square error of luminance over the texels
-    double ratio = 0.0;    ///< FallOfVariance::ratio
+    KnownLight sampled;
+    KnownLight before;  ///< of other light, which is added to what is sampled
+    double ratio = 0.0; ///< FallOfVariance::ratio
 
-    /// Root of the mean square error over the mean; 0 where there is no error.
+    /// Of both.
+    [[nodiscard]] double mean() const { return before.mean + sampled.mean; }
+    /// Root of the mean square error over the mean, of both; 0 where there is no error.
     [[nodiscard]] double relative_rmse() const;
 };
 
@@ -41,12 +41,14 @@ struct TileOrder {
 /// on those numbers alone, and not on the steps in which they were reached, but for the rounding of sums.
 class SampledMap {
 public:
-    /// The tiles must outlive it. `intensity` multiplies all that is seen. `settings`: sampler cosine.
-    SampledMap(std::span<const TexelTile> tiles, const Settings& settings, float max_distance, double intensity);
+    /// The tiles must outlive it. `intensity` multiplies all that is seen. `settings`: sampler cosine. `before`: what
+    /// the texels have already, to which the samples are added: errors are relative to both together.
+    SampledMap(std::span<const TexelTile> tiles, const Settings& settings, float max_distance, double intensity,
+               const KnownLight& before = {});
 
     /// Traces what is ordered: a power of two, ≥ 16 rays, in all steps of a tile but the last. Returns how many orders
     /// were carried out: all, unless `report` (as of TileLoop) returned false.
-    std::size_t extend(std::span<const TileOrder> orders, const Workers& workers,
+    std::size_t extend(std::span<const TileOrder> orders, const Samplers& samplers,
                        const std::function<bool(std::size_t done)>& report);
 
     [[nodiscard]] std::span<const TexelTile> tiles() const { return m_tiles; }
@@ -56,7 +58,8 @@ public:
     [[nodiscard]] MapEstimate estimate() const;
     /// Σ σ² over a tile's texels, luminance.
     [[nodiscard]] double tile_variance(std::size_t tile, double ratio) const;
-    /// Sets colours, coverage, rays and standard errors of the texels and the error of the map.
+    /// Sets colours, coverage, rays and standard errors of the texels, all of the samples alone, and the error of the
+    /// map, in which relative_rmse is of all light.
     void write_to(LightMap& map) const;
     /// σ² of each of `texels` texels' luminance as its samples show it, brought to the sum that estimate() has; 0 where
     /// not baked.
@@ -85,6 +88,7 @@ private:
     Settings m_settings;
     float m_max_distance;
     double m_intensity;
+    KnownLight m_before;
     std::vector<std::uint32_t> m_first_slot; ///< of each tile, in m_records
     std::vector<std::uint32_t> m_rays;       ///< of each tile
     std::vector<Record> m_records;

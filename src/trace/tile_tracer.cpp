@@ -41,7 +41,43 @@ TileTracer::TileTracer(const Surface& surface, const GeometryImage& geometry, co
     if (sources.peaks != nullptr) {
         m_peaks.emplace(*sources.peaks, visibility);
     }
-    set_plan(plan);
+    plan_for_sources();
+}
+
+void TileTracer::set_plan(const RayPlan& plan) {
+    m_plan = &plan;
+    m_rays.set_plan(plan);
+    plan_for_sources();
+}
+
+void TileTracer::plan_for_sources() {
+    if (m_lamps) {
+        m_lamps->set_plan(*m_plan);
+    }
+    if (m_peaks) {
+        m_peaks->set_plan(*m_plan);
+    }
+}
+
+void TileTracer::sample(const TexelTile& tile) {
+    m_parts = {};
+    m_with_parts = true;
+    sum_up(tile);
+    m_with_parts = false;
+}
+
+glm::dvec3 TileTracer::light(std::size_t lane) const {
+    glm::dvec3 sum = total(*m_sky, m_sums, lane) + m_dimmed[lane];
+    if (m_plan->settings().mode == Mode::bent_normal) {
+        return bent_normal(lane, sum.x);
+    }
+    if (m_peaks) {
+        sum += m_peaks->sum(lane);
+    }
+    if (m_lamps) {
+        sum += m_lamps->sum(lane);
+    }
+    return sum;
 }
 
 void TileTracer::sum_up(const TexelTile& tile) {

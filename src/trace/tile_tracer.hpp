@@ -9,41 +9,13 @@
 #include <glm/vec3.hpp>
 
 #include "trace/lamp_tracer.hpp"
-#include "trace/lane_parts.hpp"
 #include "trace/peak_tracer.hpp"
 #include "trace/sky_sum.hpp"
 #include "trace/tile_rays.hpp"
+#include "trace/tile_sampler.hpp"
 #include "trace/visibility.hpp"
 
 namespace vkbake {
-
-/// What was seen while tracing; sums of these do not depend on their order.
-struct RayCounts {
-    std::uint64_t rays = 0;
-    std::uint64_t occluded_rays = 0;
-    std::uint64_t filtered_rays = 0;
-    std::uint64_t skipped_directions = 0;
-    std::uint64_t probed_hits = 0;
-    std::uint64_t back_side_hits = 0;
-    std::uint64_t lamp_rays = 0;    ///< beside `rays`
-    std::uint64_t peak_rays = 0;    ///< beside both
-    std::uint64_t emitter_rays = 0; ///< beside all of these
-
-    [[nodiscard]] std::uint64_t all() const { return rays + lamp_rays + peak_rays + emitter_rays; }
-
-    RayCounts& operator+=(const RayCounts& other) {
-        rays += other.rays;
-        occluded_rays += other.occluded_rays;
-        filtered_rays += other.filtered_rays;
-        skipped_directions += other.skipped_directions;
-        probed_hits += other.probed_hits;
-        back_side_hits += other.back_side_hits;
-        lamp_rays += other.lamp_rays;
-        peak_rays += other.peak_rays;
-        emitter_rays += other.emitter_rays;
-        return *this;
-    }
-};
 
 /// What has rays of its own; null where there is none of it, and nothing asks for it.
 struct LightSources {
@@ -56,23 +28,13 @@ struct LightSources {
 /// Of each texel one sample, which its key chooses, is a *probe*: where its ray is blocked, the nearest hit is asked
 /// for, to see whether it is a back side. So over a map the probes are spread as its rays are, at the cost of a few in
 /// a thousand.
-class TileTracer {
+class TileTracer final : public TileSampler {
 public:
     /// All must outlive it, and what `sources` names too.
     TileTracer(const Surface& surface, const GeometryImage& geometry, const RayPlan& plan, const SkyLookup& sky,
                const Visibility& visibility, const LightSources& sources);
 
-    /// From now on another plan: TileRays::set_plan.
-    void set_plan(const RayPlan& plan) {
-        m_plan = &plan;
-        m_rays.set_plan(plan);
-        if (m_lamps) {
-            m_lamps->set_plan(plan);
-        }
-        if (m_peaks) {
-            m_peaks->set_plan(plan);
-        }
-    }
+    void set_plan(const RayPlan& plan) override;
 
     /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
     template<typename Store>
@@ -83,40 +45,15 @@ public:
         }
     }
 
-    /// As trace(), and sums up the parts of the sequence; sampler cosine only. Calls store(lane, sum), after which
-    /// parts() holds what the lanes have.
-    template<typename Store>
-    void trace_parts(const TexelTile& tile, const Store& store) {
-        m_parts = {};
-        m_with_parts = true;
-        sum_up(tile);
-        m_with_parts = false;
-        for (std::uint32_t lane = 0; lane < tile.count; ++lane) {
-            store(lane, light(lane));
-        }
-    }
-    [[nodiscard]] const LaneParts& parts() const { return m_parts; }
-
-    /// Of all tiles so far.
-    [[nodiscard]] const RayCounts& counts() const { return m_counts; }
+    void sample(const TexelTile& tile) override;
+    [[nodiscard]] glm::dvec3 light(std::size_t lane) const override;
+    [[nodiscard]] const LaneParts& parts() const override { return m_parts; }
+    [[nodiscard]] const RayCounts& counts() const override { return m_counts; }
     [[nodiscard]] const std::optional<LampTracer>& lamps() const { return m_lamps; }
 
 private:
+    void plan_for_sources();
     void sum_up(const TexelTile& tile);
-    /// Of the last tile.
-    [[nodiscard]] glm::dvec3 light(std::size_t lane) const {
-        glm::dvec3 sum = total(*m_sky, m_sums, lane) + m_dimmed[lane];
-        if (m_plan->settings().mode == Mode::bent_normal) {
-            return bent_normal(lane, sum.x);
-        }
-        if (m_peaks) {
-            sum += m_peaks->sum(lane);
-        }
-        if (m_lamps) {
-            sum += m_lamps->sum(lane);
-        }
-        return sum;
-    }
     /// Adds the rays of a block that come dimmed, and takes them out of `open`.
     void add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open);
     /// Adds the rays of a block one by one, each with its own weight, and takes them out of `open`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -67,33 +68,84 @@ double intensity_of(const Sky& sky, const Settings& settings) {
     return settings.mode != Mode::irradiance || sky.intensity == 0.0 ? 1.0 : sky.intensity;
 }
 
-template<typename Worker>
-RayCounts sum_of(const std::vector<std::unique_ptr<Worker>>& workers) {
+using TileTracers = std::vector<std::unique_ptr<TileTracer>>;
+
+template<class Worker>
+Samplers samplers_of(const std::vector<std::unique_ptr<Worker>>& workers) {
+    Samplers samplers;
+    std::ranges::transform(workers, std::back_inserter(samplers), [](const auto& worker) { return worker.get(); });
+    return samplers;
+}
+
+RayCounts sum_of(const Samplers& samplers) {
     RayCounts total;
-    for (const auto& worker : workers) {
-        total += worker->counts();
+    for (const TileSampler* const sampler : samplers) {
+        total += sampler->counts();
     }
     return total;
 }
 
 /// Tells how much of the work is done; throws where it is to stop, but not when there was nothing to do.
-template<typename Worker>
-std::function<bool(std::size_t)> report_of(std::size_t tiles, const std::vector<std::unique_ptr<Worker>>& workers,
-                                           const TraceProgress& progress) {
+std::function<bool(std::size_t)> report_of(std::size_t tiles, const Samplers& samplers, const TraceProgress& progress) {
     if (!progress) {
         return {};
     }
     return [&, tiles](std::size_t done) {
         const double share = tiles == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(tiles);
-        if (!progress(share, sum_of(workers).all(), 0.0) && tiles > 0) {
+        if (!progress(share, sum_of(samplers).all(), 0.0) && tiles > 0) {
             throw Error(ErrorKind::interrupted, "interrupted");
         }
         return true;
     };
 }
 
+/// The same number of rays for all, nothing kept of them but their sum: E/π is `scale` times that.
+template<class Worker>
+void trace_plain(const std::vector<TexelTile>& tiles, const std::vector<std::unique_ptr<Worker>>& workers,
+                 const RayPlan& plan, double scale, const TraceProgress& progress, LightMap& map) {
+    const auto store = [&](std::uint32_t texel, const glm::dvec3& sum) {
+        map.image.texels[texel] = glm::vec4(glm::vec3(sum * scale), 1.0F);
+        map.image.coverage[texel] = 1.0F;
+    };
+    const Samplers samplers = samplers_of(workers);
+    const TileLoop loop{.count = tiles.size(),
+                        .rays_a_job = std::uint64_t{plan.samples()} * RayBlock::lanes,
+                        .threads = plan.settings().threads,
+                        .report = report_of(tiles.size(), samplers, progress)};
+    run(loop, [&](std::size_t tile, std::size_t worker) { workers[worker]->trace(tiles[tile], store); });
+}
+
+void trace_estimated(SampledMap& sampled, const Samplers& samplers, std::uint32_t rays, const TraceProgress& progress,
+                     LightMap& map) {
+    std::vector<TileOrder> orders;
+    for (std::size_t tile = 0; tile < sampled.tiles().size(); ++tile) {
+        orders.push_back({static_cast<std::uint32_t>(tile), rays});
+    }
+    sampled.extend(orders, samplers, report_of(orders.size(), samplers, progress));
+    sampled.write_to(map);
+}
+
+void trace_adaptively(SampledMap& sampled, const Samplers& samplers, const AdaptiveGoal& goal,
+                      const TraceProgress& progress, LightMap& map) {
+    const AdaptiveResult result = sample_adaptively(sampled, samplers, goal, [&](double share, double error) {
+        if (progress && !progress(share, sum_of(samplers).all(), error) && sampled.texel_count() > 0) {
+            throw Error(ErrorKind::interrupted, "interrupted");
+        }
+    });
+    sampled.write_to(map);
+    const auto texels = static_cast<double>(std::max<std::size_t>(sampled.texel_count(), 1));
+    map.error->target_reached = result.reached;
+    map.error->mean_rays = result.samples / texels;
+    map.error->best_mean_rays = result.best_samples / texels;
+    map.error->uniform_rays = static_cast<double>(result.uniform);
+}
+
+bool is_estimated(const Settings& settings) {
+    return settings.target_error || settings.seconds || settings.estimate_error || settings.denoise == Switch::on;
+}
+
 /// LightMapStatistics::lamps_reached.
-std::vector<std::uint64_t> reached(const Workers& workers) {
+std::vector<std::uint64_t> reached(const TileTracers& workers) {
     std::vector<std::uint64_t> total;
     for (const auto& worker : workers) {
         if (worker->lamps()) {
@@ -127,56 +179,14 @@ struct Tracer::State {
         resample(radiance, threads);
     }
 
-    [[nodiscard]] Workers make_workers(const GeometryImage& geometry) const {
-        Workers workers(worker_count(threads));
+    [[nodiscard]] TileTracers make_workers(const GeometryImage& geometry) const {
+        TileTracers workers(worker_count(threads));
         for (auto& worker : workers) {
             worker = std::make_unique<TileTracer>(
                 *surface, geometry, plan, radiance, visibility,
                 LightSources{.lamps = lamps.empty() ? nullptr : &lamps, .peaks = peaks ? &*peaks : nullptr});
         }
         return workers;
-    }
-
-    /// The same number of rays for all, nothing kept of them but their sum.
-    void trace_plain(const std::vector<TexelTile>& tiles, const Workers& workers, const TraceProgress& progress,
-                     LightMap& map) const {
-        const double scale = plan.scale() * intensity;
-        const auto store = [&](std::uint32_t texel, const glm::dvec3& sum) {
-            map.image.texels[texel] = glm::vec4(glm::vec3(sum * scale), 1.0F);
-            map.image.coverage[texel] = 1.0F;
-        };
-        const TileLoop loop{.count = tiles.size(),
-                            .rays_a_job = std::uint64_t{plan.samples()} * RayBlock::lanes,
-                            .threads = threads,
-                            .report = report_of(tiles.size(), workers, progress)};
-        run(loop, [&](std::size_t tile, std::size_t worker) { workers[worker]->trace(tiles[tile], store); });
-    }
-
-    void trace_estimated(SampledMap& sampled, const Workers& workers, const TraceProgress& progress,
-                         LightMap& map) const {
-        const std::span<const TexelTile> tiles = sampled.tiles();
-        std::vector<TileOrder> orders;
-        for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
-            orders.push_back({static_cast<std::uint32_t>(tile), plan.samples()});
-        }
-        sampled.extend(orders, workers, report_of(tiles.size(), workers, progress));
-        sampled.write_to(map);
-    }
-
-    void trace_adaptively(SampledMap& sampled, const Workers& workers, const TraceProgress& progress,
-                          std::optional<std::chrono::steady_clock::time_point> deadline, LightMap& map) const {
-        const AdaptiveResult result = sample_adaptively(
-            sampled, workers, {plan.settings().target_error, deadline}, [&](double share, double error) {
-                if (progress && !progress(share, sum_of(workers).all(), error) && sampled.texel_count() > 0) {
-                    throw Error(ErrorKind::interrupted, "interrupted");
-                }
-            });
-        sampled.write_to(map);
-        const auto texels = static_cast<double>(std::max<std::size_t>(sampled.texel_count(), 1));
-        map.error->target_reached = result.reached;
-        map.error->mean_rays = result.samples / texels;
-        map.error->best_mean_rays = result.best_samples / texels;
-        map.error->uniform_rays = static_cast<double>(result.uniform);
     }
 
     const Surface* surface; ///< never null
@@ -219,29 +229,30 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     const DefaultFloatState float_state;
     const auto start = std::chrono::steady_clock::now();
     const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
-    const Workers workers = m_state->make_workers(geometry);
+    const TileTracers workers = m_state->make_workers(geometry);
+    const Samplers samplers = samplers_of(workers);
 
     LightMap map{.image = empty_image(geometry)};
-    const Settings& settings = m_state->plan.settings();
-    const bool adaptive = settings.target_error || deadline;
-    if (adaptive || settings.estimate_error || settings.denoise == Switch::on) {
-        SampledMap sampled(tiles, m_state->plan.settings(), m_state->plan.max_distance(), m_state->intensity);
-        if (adaptive) {
-            m_state->trace_adaptively(sampled, workers, progress, deadline, map);
+    const RayPlan& plan = m_state->plan;
+    const Settings& settings = plan.settings();
+    if (is_estimated(settings) || deadline) {
+        SampledMap sampled(tiles, settings, plan.max_distance(), m_state->intensity);
+        if (settings.target_error || deadline) {
+            trace_adaptively(sampled, samplers, {settings.target_error, deadline}, progress, map);
         } else {
-            m_state->trace_estimated(sampled, workers, progress, map);
+            trace_estimated(sampled, samplers, plan.samples(), progress, map);
         }
         if (variance != nullptr) {
             *variance = sampled.variances(map.image.texels.size());
         }
     } else {
-        m_state->trace_plain(tiles, workers, progress, map);
+        trace_plain(tiles, workers, plan, plan.scale() * m_state->intensity, progress, map);
     }
 
     for (const TexelTile& tile : tiles) {
         map.statistics.covered_texels += tile.count;
     }
-    const RayCounts counts = sum_of(workers);
+    const RayCounts counts = sum_of(samplers);
     map.statistics.rays = counts.rays;
     map.statistics.occluded_rays = counts.occluded_rays;
     map.statistics.filtered_rays = counts.filtered_rays;
@@ -264,7 +275,7 @@ std::optional<EmitterSet> Tracer::find_emitters(const SurfaceLight& light) const
 }
 
 LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
-                        const EmitterSet* emitters, const TraceProgress& progress) const {
+                        const GatherOptions& options, const TraceProgress& progress) const {
     const DefaultFloatState float_state;
     const auto start = std::chrono::steady_clock::now();
     const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
@@ -274,21 +285,22 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
     const RayPlan plan(settings, m_state->plan.max_distance());
     std::vector<std::unique_ptr<GatherTracer>> workers(worker_count(m_state->threads));
     for (auto& worker : workers) {
-        worker =
-            std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->visibility, emitters);
+        worker = std::make_unique<GatherTracer>(*m_state->surface, geometry, plan, light, m_state->visibility,
+                                                options.emitters);
     }
+    const Samplers samplers = samplers_of(workers);
     LightMap map{.image = empty_image(geometry)};
-    const TileLoop loop{.count = tiles.size(),
-                        .rays_a_job = std::uint64_t{plan.samples()} * RayBlock::lanes,
-                        .threads = m_state->threads,
-                        .report = report_of(tiles.size(), workers, progress)};
-    run(loop, [&](std::size_t tile, std::size_t worker) {
-        workers[worker]->trace(tiles[tile], [&](std::uint32_t texel, const glm::dvec3& sum) {
-            map.image.texels[texel] = glm::vec4(glm::vec3(sum * plan.scale()), 1.0F);
-            map.image.coverage[texel] = 1.0F;
-        });
-    });
-    map.statistics.bounce_rays = sum_of(workers).all();
+    if (options.before) {
+        SampledMap sampled(tiles, settings, plan.max_distance(), 1.0, *options.before);
+        if (settings.target_error) {
+            trace_adaptively(sampled, samplers, {settings.target_error, {}}, progress, map);
+        } else {
+            trace_estimated(sampled, samplers, plan.samples(), progress, map);
+        }
+    } else {
+        trace_plain(tiles, workers, plan, plan.scale(), progress, map);
+    }
+    map.statistics.bounce_rays = sum_of(samplers).all();
     map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return map;
 }

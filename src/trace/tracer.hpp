@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "trace/emitter_set.hpp"
+#include "trace/known_light.hpp"
 #include "trace/lamp_set.hpp"
 #include "trace/sky_lookup.hpp"
 #include "trace/sky_peaks.hpp"
@@ -40,6 +41,11 @@ struct TracedScene {
     double intensity = 1.0;         ///< multiplies sky, peaks and lamps
 };
 
+struct GatherOptions {
+    const EmitterSet* emitters = nullptr;  ///< of the light, for rays to seek as well; null: none. Sampler cosine only
+    std::optional<KnownLight> before = {}; ///< what the map has already; absent: errors are not estimated
+};
+
 /// Holds what all maps of a bake share: the accelerators over the surface and the sky made ready for look-ups.
 /// The surface must outlive it.
 class Tracer {
@@ -68,10 +74,11 @@ public:
                                  std::vector<float>* variance = nullptr) const;
 
     /// What surfaces send to the texels in place of the sky: E/π of one bounce, with rays of its own for each `bounce`
-    /// (1, 2 …). Sets the image and, of the statistics, bounce_rays and seconds. Else as trace(). `emitters`: of
-    /// `light`, for rays to seek as well; null where there are none. Sampler cosine only.
+    /// (1, 2 …): Settings::bounce_rays, or where an error is asked for as many as that wants of all light. Sets the
+    /// image, of the statistics bounce_rays and seconds, and, where errors are estimated, the texels' standard errors,
+    /// of this light alone, and the map's error, of all. Else as trace().
     [[nodiscard]] LightMap gather(const GeometryImage& geometry, const SurfaceLight& light, std::uint32_t bounce,
-                                  const EmitterSet* emitters = nullptr, const TraceProgress& progress = {}) const;
+                                  const GatherOptions& options = {}, const TraceProgress& progress = {}) const;
 
     /// Of what may be sought of `light`; absent where that needs no rays of its own.
     [[nodiscard]] std::optional<EmitterSet> find_emitters(const SurfaceLight& light) const;

@@ -13,9 +13,15 @@
 #include "host_bake.hpp"
 #include "lit_on_host.hpp"
 #include "same_bits.hpp"
+#include "square_lamp.hpp"
 
 namespace vkbake {
 namespace {
+
+using test::add_square_lamp;
+using test::dark_floor;
+using test::factor_of_lamp;
+using test::glowing;
 
 Settings seeking_rays(std::uint32_t rays) {
     Settings settings;
@@ -24,38 +30,6 @@ Settings seeking_rays(std::uint32_t rays) {
     settings.bounces = 1;
     settings.bounce_rays = rays;
     return settings;
-}
-
-/// A black floor, 4 × 4.
-Scene dark_floor() {
-    Scene scene = test::scene_of(test::floor_of(2.0F));
-    test::paint(scene, 0, {.base_color = glm::vec4(0, 0, 0, 1)});
-    return scene;
-}
-
-Material glowing(float radiance) {
-    Material material;
-    material.base_color = glm::vec4(0, 0, 0, 1);
-    material.emissive = glm::vec3(radiance);
-    return material;
-}
-
-/// A square lamp that looks down.
-void add_square_lamp(Scene& scene, double half, const glm::dvec3& at, const Material& material) {
-    Primitive lamp = test::floor_of(static_cast<float>(half));
-    for (std::size_t first = 0; first < lamp.indices.size(); first += 3) {
-        std::swap(lamp.indices[first + 1], lamp.indices[first + 2]);
-    }
-    test::add_object(scene, "lamp", lamp, at);
-    test::paint(scene, scene.meshes.size() - 1, material);
-}
-
-/// Configuration factor of such a lamp for a point of the floor.
-double factor_of_lamp(double half, const glm::dvec3& lamp, const glm::dvec3& point) {
-    const auto corner = [&](double x, double z) {
-        return test::element_to_parallel_rectangle(lamp.x + x - point.x, lamp.z + z - point.z, lamp.y);
-    };
-    return corner(half, half) - corner(-half, half) - corner(half, -half) + corner(-half, -half);
 }
 
 /// Of the first object's texels: root of the mean square error by the mean, and the greatest error by the mean.
