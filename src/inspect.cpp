@@ -1,6 +1,7 @@
 // What a scene has and what a bake of it would make: the stages that need no device.
 #include "atlas/make_atlas.hpp"
 #include "base/boundary.hpp"
+#include "foretell.hpp"
 #include "material/surface_colors.hpp"
 #include "memory_plan.hpp"
 #include "surface/make_surface.hpp"
@@ -8,6 +9,7 @@
 #include "vkbake/vkbake.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
@@ -90,8 +92,47 @@ std::uint64_t rays_to_lamps(const Scene& scene, const Settings& settings, std::u
     return rays;
 }
 
+/// Of bounces and of directional maps, a texel.
+std::uint64_t later_rays(const Scene& scene, const Settings& settings, const Inspection& inspection) {
+    const std::uint64_t bounce_rays = settings.sampler == Sampler::thesis ? 256 : settings.bounce_rays;
+    std::uint64_t rays = reflects(scene) || emits(scene) ? settings.bounces * bounce_rays : 0;
+    if (settings.directional == Switch::on) {
+        const bool has_sun = std::ranges::any_of(
+            inspection.plan, [](const PlanEntry& entry) { return entry.phenomenon == "sun" && entry.modelled; });
+        rays +=
+            (has_sun ? 2 : 1) * settings.directional_rays + rays_to_lamps(scene, settings, settings.directional_rays);
+    }
+    return rays;
+}
+
+/// `start`: when what a bake does before it traces began.
+void foretell_rays(const Scene& scene, const Surface& surface, const Atlas& atlas, const Settings& settings,
+                   const Sky& sky, std::chrono::steady_clock::time_point start, Inspection& inspection) {
+    inspection.rays = inspection.covered_texels * later_rays(scene, settings, inspection);
+    if (inspection.memory > inspection.memory_limit) {
+        return;
+    }
+    Settings left = settings;
+    if (settings.seconds) { // a bake takes as long for that, and for what needs the device
+        constexpr double device_seconds = 0.5;
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        left.seconds = std::max(*settings.seconds - taken.count() - device_seconds, 0.1 * *settings.seconds);
+    }
+    try {
+        const ForetoldTrace trace = foretell_trace(scene, surface, atlas, left, sky, inspection.covered_texels);
+        inspection.rays += static_cast<std::uint64_t>(std::llround(trace.rays));
+        inspection.trace_seconds = trace.seconds;
+        inspection.error = trace.error;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_input) {
+            throw;
+        }
+        inspection.notes.emplace_back(error.what()); // a bake says so too
+    }
+}
+
 void foretell_bake(const Scene& scene, const Surface& surface, const Settings& settings, const Sky& sky,
-                   Inspection& inspection) {
+                   std::chrono::steady_clock::time_point start, Inspection& inspection) {
     if (surface.triangle_count() == 0) {
         inspection.notes.emplace_back("there is nothing to bake: no node shows a triangle");
         return;
@@ -111,19 +152,7 @@ void foretell_bake(const Scene& scene, const Surface& surface, const Settings& s
     }
     inspection.memory = peak_memory(memory_need(scene, sky, settings, &atlas));
     inspection.memory_limit = memory_limit(settings);
-    const auto rays = [&](std::uint32_t asked) -> std::uint64_t {
-        return settings.sampler == Sampler::thesis ? 256 : asked;
-    };
-    const bool bounced = settings.bounces > 0 && (reflects(scene) || emits(scene));
-    const bool has_sun = std::ranges::any_of(
-        inspection.plan, [](const PlanEntry& entry) { return entry.phenomenon == "sun" && entry.modelled; });
-    const std::uint64_t directional_rays =
-        settings.directional == Switch::on
-            ? (has_sun ? 2 : 1) * settings.directional_rays + rays_to_lamps(scene, settings, settings.directional_rays)
-            : 0;
-    inspection.rays = inspection.covered_texels *
-                      ((has_sun ? 2 : 1) * rays(settings.rays) + rays_to_lamps(scene, settings, rays(settings.rays)) +
-                       (bounced ? settings.bounces * rays(settings.bounce_rays) : 0) + directional_rays);
+    foretell_rays(scene, surface, atlas, settings, sky, start, inspection);
 }
 
 Inspection inspect_scene(const Scene& scene, const Settings& settings, const Sky& sky) {
@@ -147,9 +176,10 @@ Inspection inspect_scene(const Scene& scene, const Settings& settings, const Sky
             inspection.light_maps.push_back(material.light_map->linear_file);
         }
     }
+    const auto start = std::chrono::steady_clock::now();
     const Surface surface = make_surface(scene);
     measure_surface(surface, inspection);
-    foretell_bake(scene, surface, settings, sky, inspection);
+    foretell_bake(scene, surface, settings, sky, start, inspection);
     return inspection;
 }
 

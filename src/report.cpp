@@ -65,6 +65,8 @@ std::string to_json(const Inspection& inspection) {
                        {"density", inspection.density},
                        {"covered_texels", inspection.covered_texels},
                        {"rays", inspection.rays},
+                       {"trace_seconds", inspection.trace_seconds},
+                       {"error", inspection.error ? Json(*inspection.error) : Json()},
                        {"memory", inspection.memory},
                        {"memory_limit", inspection.memory_limit},
                        {"plan", plan},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,13 @@ struct Inspection {
     std::size_t pages = 0;
     double density = 0.0;             ///< texels per metre; 0 where all UVs are kept
     std::uint64_t covered_texels = 0; ///< estimate
-    std::uint64_t rays = 0;           ///< estimate; those to lamps and sun as if these reached all texels
-    std::uint64_t memory = 0;         ///< bytes at the most, estimate
-    std::uint64_t memory_limit = 0;   ///< bytes that the settings, or by default the machine, allow
-    std::vector<PlanEntry> plan;      ///< make_plan's
+    std::uint64_t rays = 0;           ///< estimate; of bounces, where an error is asked for, as if it were not
+    double trace_seconds = 0.0;     ///< of direct light on this machine, estimate from texels that were traced; 0 where
+                                    ///< none were, as there is not the memory for it
+    std::optional<double> error;    ///< of direct light, relative, likewise; absent where it is not estimated
+    std::uint64_t memory = 0;       ///< bytes at the most, estimate
+    std::uint64_t memory_limit = 0; ///< bytes that the settings, or by default the machine, allow
+    std::vector<PlanEntry> plan;    ///< make_plan's
     std::vector<std::string> notes;
 };
 

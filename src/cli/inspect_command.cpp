@@ -52,6 +52,10 @@ void print_inspection(const Inspection& inspection, const Settings& settings) {
                inspection.memory > inspection.memory_limit
                    ? ", which is more than the limit of " + bytes_text(inspection.memory_limit)
                    : std::string());
+    if (inspection.trace_seconds > 0.0) {
+        fmt::print("  direct light: about {} of tracing here", duration_text(inspection.trace_seconds));
+        fmt::print("{}\n", inspection.error ? fmt::format(", error about {:.2g} %", 100.0 * *inspection.error) : "");
+    }
     fmt::print("light\n");
     for (const PlanEntry& entry : inspection.plan) {
         fmt::print("  {:<16} {:<4} {}\n", entry.phenomenon, entry.modelled ? "on" : "off", entry.reason);

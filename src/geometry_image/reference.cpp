@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "geometry_image/texel_triangles.hpp"
 
@@ -135,46 +140,99 @@ glm::vec3 combined(const float* v, const Sample& sample) {
     return {component(0), component(1), component(2)};
 }
 
+/// An image of any texels of a page, in which triangles compete.
+class Competition {
+public:
+    Competition(const Surface& surface, const TexelGrid& grid, int width, int height)
+        : m_surface(&surface), m_units(grid.units), m_scale(1.0 / (static_cast<double>(grid.units) * grid.units)) {
+        const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        m_image.width = width;
+        m_image.height = height;
+        m_image.triangle.assign(texels, GeometryImage::empty);
+        m_image.position = ZeroedArray<glm::vec3>(texels);
+        m_image.shading_normal = ZeroedArray<glm::vec3>(texels);
+        m_image.geometric_normal = ZeroedArray<glm::vec3>(texels);
+        m_nearest.assign(texels, 1.0F);
+    }
+
+    /// Texel (i, j) of the page stands at `place`, as its image has it.
+    void enter(std::uint32_t number, const shared::TexelTriangle& triangle, int i, int j, const glm::ivec2& place) {
+        const TexelTest test(triangle, m_units, i, j);
+        const std::optional<Sample> centre = test.centre();
+        const std::optional<Sample> sample = centre ? centre : test.nearest();
+        const float depth = centre ? 0.0F : std::max(sample ? rounded(sample->distance * m_scale) : 1.0F, 0x1p-100F);
+        const std::size_t texel = static_cast<std::size_t>(place.y) * static_cast<std::size_t>(m_image.width) +
+                                  static_cast<std::size_t>(place.x);
+        if (!sample || !(depth < m_nearest[texel])) {
+            return;
+        }
+        m_nearest[texel] = depth;
+        const glm::vec3& geometric = m_surface->geometric_normals[number];
+        m_image.triangle[texel] = number;
+        m_image.position[texel] = combined(triangle.position, *sample);
+        m_image.shading_normal[texel] = unit_shading_normal(combined(triangle.normal, *sample), geometric);
+        m_image.geometric_normal[texel] = geometric;
+    }
+
+    GeometryImage finish() { return std::move(m_image); }
+
+private:
+    const Surface* m_surface;
+    int m_units;
+    double m_scale;
+    GeometryImage m_image;
+    std::vector<float> m_nearest;
+};
+
 } // namespace
 
 GeometryImage reference_geometry_image(const Surface& surface, const Atlas& atlas, std::uint32_t page) {
     const TexelGrid grid(atlas.pages.at(page));
-    const std::size_t texels = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
-    GeometryImage image;
-    image.width = grid.width;
-    image.height = grid.height;
-    image.triangle.assign(texels, GeometryImage::empty);
-    image.position = ZeroedArray<glm::vec3>(texels);
-    image.shading_normal = ZeroedArray<glm::vec3>(texels);
-    image.geometric_normal = ZeroedArray<glm::vec3>(texels);
-    std::vector<float> nearest(texels, 1.0F);
-    const double scale = 1.0 / (static_cast<double>(grid.units) * grid.units);
-
+    Competition competition(surface, grid, grid.width, grid.height);
     for (const std::uint32_t number : drawn_triangles(surface, atlas, page)) {
         const shared::TexelTriangle triangle = make_texel_triangle(surface, atlas, grid, number);
         const TexelBox box = texel_box(atlas, grid, number);
         for (int j = box.y_begin; j < box.y_end; ++j) {
             for (int i = box.x_begin; i < box.x_end; ++i) {
-                const TexelTest test(triangle, grid.units, i, j);
-                const std::optional<Sample> centre = test.centre();
-                const std::optional<Sample> sample = centre ? centre : test.nearest();
-                const float depth =
-                    centre ? 0.0F : std::max(sample ? rounded(sample->distance * scale) : 1.0F, 0x1p-100F);
-                const std::size_t texel =
-                    static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i);
-                if (!sample || !(depth < nearest[texel])) {
-                    continue;
-                }
-                nearest[texel] = depth;
-                const glm::vec3& geometric = surface.geometric_normals[number];
-                image.triangle[texel] = number;
-                image.position[texel] = combined(triangle.position, *sample);
-                image.shading_normal[texel] = unit_shading_normal(combined(triangle.normal, *sample), geometric);
-                image.geometric_normal[texel] = geometric;
+                competition.enter(number, triangle, i, j, {i, j});
             }
         }
     }
-    return image;
+    return competition.finish();
+}
+
+GeometryImage sampled_geometry_image(const Surface& surface, const Atlas& atlas, std::uint32_t page, int side,
+                                     const std::function<bool(int x, int y)>& takes) {
+    const TexelGrid grid(atlas.pages.at(page));
+    const int columns = (grid.width + side - 1) / side;
+    const int rows = (grid.height + side - 1) / side;
+    constexpr int none = -1;
+    std::vector<int> number_of; // of each square of the page
+    int count = 0;
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            number_of.push_back(takes(x, y) ? count++ : none);
+        }
+    }
+    Competition competition(surface, grid, count * side, side);
+    if (count == 0) {
+        return competition.finish();
+    }
+    for (const std::uint32_t number : drawn_triangles(surface, atlas, page)) {
+        const shared::TexelTriangle triangle = make_texel_triangle(surface, atlas, grid, number);
+        const TexelBox box = texel_box(atlas, grid, number);
+        for (int j = box.y_begin; j < box.y_end; ++j) {
+            for (int i = box.x_begin; i < box.x_end; ++i) {
+                const int square = number_of[static_cast<std::size_t>(j / side * columns + i / side)];
+                if (square == none) {
+                    i += side - 1 - i % side; // on to the next square
+                } else {
+                    competition.enter(number, triangle, i, j, {square * side + i % side, j % side});
+                }
+            }
+        }
+    }
+    return competition.finish();
 }
 
 } // namespace vkbake
