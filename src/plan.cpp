@@ -33,6 +33,14 @@ std::string rays_text(std::uint32_t rays, Sampler sampler) {
     return std::to_string(sampler == Sampler::thesis ? 256U : rays) + " rays a texel";
 }
 
+/// Of what an error or a time asked for decides about; `rays`: where none is.
+std::string rays_text(std::uint32_t rays, const Settings& settings) {
+    if (settings.target_error) {
+        return "as many rays as its error takes";
+    }
+    return settings.seconds ? "as many rays as the time allows" : rays_text(rays, settings.sampler);
+}
+
 /// "0.4 %"
 std::string percent(double share) {
     const auto tenths = static_cast<long long>(std::ceil(share * 1000.0 - 1e-9));
@@ -70,7 +78,7 @@ PlanEntry plan_sky(const Settings& settings) {
     if (settings.mode != Mode::irradiance) {
         return {"sky", false, "mode " + std::string(name_of(settings.mode)) + " asks what is open, whatever the sky"};
     }
-    return {"sky", true, "its direct light, " + rays_text(settings.rays, settings.sampler)};
+    return {"sky", true, "its direct light, " + rays_text(settings.rays, settings)};
 }
 
 PlanEntry plan_visibility(const Settings& settings) {
@@ -85,7 +93,7 @@ PlanEntry plan_visibility(const Settings& settings) {
             reason += ", the farther the less (" + std::string(name_of(settings.ao_falloff)) + ")";
         }
     }
-    return {"visibility", true, reason + ", " + rays_text(settings.rays, settings.sampler)};
+    return {"visibility", true, reason + ", " + rays_text(settings.rays, settings)};
 }
 
 PlanEntry plan_sun(const Sky& sky, const Settings& settings) {
@@ -99,10 +107,10 @@ PlanEntry plan_sun(const Sky& sky, const Settings& settings) {
     if (!cut.worthwhile()) {
         return {"sun", false, "no part of the sky is so bright that it wants rays of its own"};
     }
-    return settings.sun == Switch::on ? PlanEntry{"sun", true,
-                                                  describe(cut) + ": sampled on its own, " +
-                                                      rays_text(settings.rays, settings.sampler) + " more"}
-                                      : PlanEntry{"sun", false, describe(cut) + ": found by chance (--sun off)"};
+    return settings.sun == Switch::on
+               ? PlanEntry{"sun", true,
+                           describe(cut) + ": sampled on its own, " + rays_text(settings.rays, settings) + " more"}
+               : PlanEntry{"sun", false, describe(cut) + ": found by chance (--sun off)"};
 }
 
 /// "1 hard lamp", "2 soft lamps"
@@ -124,8 +132,8 @@ PlanEntry plan_lamps(const Scene& scene, const Settings& settings) {
     const std::size_t hard = scene.lamps.size() - soft;
     std::string reason = hard > 0 ? of_lamps(hard, " hard") + ", 1 ray a texel each" : "";
     if (soft > 0) {
-        reason += (hard > 0 ? "; " : "") + of_lamps(soft, " soft") + ", " + rays_text(settings.rays, settings.sampler) +
-                  " each";
+        reason +=
+            (hard > 0 ? "; " : "") + of_lamps(soft, " soft") + ", " + rays_text(settings.rays, settings) + " each";
     }
     return {"lamps", true, reason};
 }
@@ -143,7 +151,7 @@ PlanEntry plan_bounces(const Scene& scene, const Settings& settings) {
                 "not asked for (--bounces); surfaces reflect up to " + percent(albedo) + " of what they get"};
     }
     return {"bounces", true,
-            std::to_string(settings.bounces) + ", " + rays_text(settings.bounce_rays, settings.sampler) +
+            std::to_string(settings.bounces) + ", " + rays_text(settings.bounce_rays, settings) +
                 " each; light of later ones is at most " + percent(std::pow(albedo, settings.bounces)) +
                 " of the first's"};
 }

@@ -33,6 +33,11 @@ TEST(Plan, SaysWhatBouncesWouldBring) {
     settings.bounces = 3;
     EXPECT_TRUE(entry(grey, settings, "bounces").modelled);
     EXPECT_TRUE(says(entry(grey, settings, "bounces"), "at most 12.5 %")); // 0.5³
+    EXPECT_TRUE(says(entry(grey, settings, "bounces"), "64 rays a texel each"));
+    settings.target_error = 0.01;
+    EXPECT_TRUE(says(entry(grey, settings, "bounces"), "as its error takes"));
+    EXPECT_TRUE(says(entry(grey, settings, "sky"), "as its error takes"));
+    settings.target_error.reset();
     EXPECT_FALSE(entry(test::painted_floor({.metallic = 1.0F}), settings, "bounces").modelled);
     settings.mode = Mode::ao;
     EXPECT_FALSE(entry(grey, settings, "bounces").modelled);
