@@ -19,10 +19,9 @@ struct ForetoldTrace {
     std::optional<double> error; ///< relative, over all maps; absent where it is not estimated
 };
 
-/// Traces some ten thousand texels in squares all over the maps, for 3 % of error, two seconds or 1024 rays at the most,
-/// and brings what they take to all: by the texels that are covered, and where more is asked for by the slope that
-/// their own errors show.
-/// `covered_texels`: of all maps, as expected. Without a device.
+/// Traces some ten thousand texels in squares all over the maps, for 3 % of error, two seconds or 1024 rays at the
+/// most, and brings what they take to all: by the texels that are covered, and where more is asked for by the slope
+/// that their own errors show. `covered_texels`: of all maps, as expected. Without a device.
 [[nodiscard]] ForetoldTrace foretell_trace(const Scene& scene, const Surface& surface, const Atlas& atlas,
                                            const Settings& settings, const Sky& sky, std::uint64_t covered_texels);
 

@@ -59,6 +59,55 @@ void add_atlas_options(CLI::App& app, Settings& settings) {
         ->capture_default_str();
 }
 
+namespace {
+
+void add_error_options(CLI::App& app, Settings& settings) {
+    app.add_option_function<double>(
+           "--target-error", [&settings](double error) { settings.target_error = error; },
+           "Instead of --rays and --bounce-rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")
+        ->check(CLI::PositiveNumber);
+    app.add_option_function<std::string>(
+           "--quality",
+           [&settings](const std::string& name) { // --denoise comes after it, so that what is said there holds
+               settings.target_error = quality_error(name);
+               settings.denoise = name == "final" ? Switch::off : Switch::on;
+           },
+           "A named target error: draft (5 %), preview (2 %), both denoised then, final (0.5 %)")
+        ->check(CLI::IsMember({"draft", "preview", "final"}))
+        ->type_name("draft|preview|final");
+    app.add_option_function<double>(
+           "--time", [&settings](double seconds) { settings.seconds = seconds; },
+           "Instead of --rays: seconds that the bake may take; the best maps that they allow")
+        ->check(CLI::PositiveNumber);
+    app.add_flag("--error-map", settings.estimate_error,
+                 "Estimate each texel's error and write it beside the light map; costs no rays");
+    add_choice(app, "--denoise", settings.denoise,
+               "Filter noise out where neighbouring texels differ by no more than their errors explain");
+}
+
+void add_tracing_options(CLI::App& app, Settings& settings) {
+    add_choice(app, "--sampler", settings.sampler, "How directions are chosen");
+    add_choice(app, "--accelerator", settings.accelerator, "What rays are traced against; never changes the result");
+    add_choice(app, "--triangle-test", settings.triangle_test,
+               "The ray-triangle test; moller-trumbore with brute and clusters only");
+    app.add_option("--cluster-splits", settings.cluster_splits, "Parts that the clusters cut each axis into")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    app.add_option("--seed", settings.seed, "Of the random numbers")->capture_default_str();
+    app.add_option("--padding", settings.padding, "Rounds of dilation around the charts")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    app.add_option("--threads", settings.threads, "That trace; 0: all cores. Never changes the result")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+    app.add_option("--memory-limit", settings.memory_limit,
+                   "What a bake may take, checked before it starts; without it, three quarters of what the machine has")
+        ->transform(CLI::AsSizeValue(false).description(""))
+        ->type_name("BYTES|8G");
+}
+
+} // namespace
+
 void add_light_options(CLI::App& app, Settings& settings) {
     add_choice(app, "--mode", settings.mode,
                "What a texel stores: the radiance of a white surface (E/pi), visibility, or the mean open direction");
@@ -101,45 +150,8 @@ void add_light_options(CLI::App& app, Settings& settings) {
         ->capture_default_str();
     add_choice(app, "--alpha", settings.alpha,
                "Let light through where a material's alpha or transmission does, or take all surfaces for whole");
-    app.add_option_function<double>(
-           "--target-error", [&settings](double error) { settings.target_error = error; },
-           "Instead of --rays and --bounce-rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")
-        ->check(CLI::PositiveNumber);
-    app.add_option_function<std::string>(
-           "--quality",
-           [&settings](const std::string& name) { // --denoise comes after it, so that what is said there holds
-               settings.target_error = quality_error(name);
-               settings.denoise = name == "final" ? Switch::off : Switch::on;
-           },
-           "A named target error: draft (5 %), preview (2 %), both denoised then, final (0.5 %)")
-        ->check(CLI::IsMember({"draft", "preview", "final"}))
-        ->type_name("draft|preview|final");
-    app.add_option_function<double>(
-           "--time", [&settings](double seconds) { settings.seconds = seconds; },
-           "Instead of --rays: seconds that the bake may take; the best maps that they allow")
-        ->check(CLI::PositiveNumber);
-    app.add_flag("--error-map", settings.estimate_error,
-                 "Estimate each texel's error and write it beside the light map; costs no rays");
-    add_choice(app, "--denoise", settings.denoise,
-               "Filter noise out where neighbouring texels differ by no more than their errors explain");
-    add_choice(app, "--sampler", settings.sampler, "How directions are chosen");
-    add_choice(app, "--accelerator", settings.accelerator, "What rays are traced against; never changes the result");
-    add_choice(app, "--triangle-test", settings.triangle_test,
-               "The ray-triangle test; moller-trumbore with brute and clusters only");
-    app.add_option("--cluster-splits", settings.cluster_splits, "Parts that the clusters cut each axis into")
-        ->check(CLI::Range(1, 64))
-        ->capture_default_str();
-    app.add_option("--seed", settings.seed, "Of the random numbers")->capture_default_str();
-    app.add_option("--padding", settings.padding, "Rounds of dilation around the charts")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    app.add_option("--threads", settings.threads, "That trace; 0: all cores. Never changes the result")
-        ->check(CLI::Range(0, 4096))
-        ->capture_default_str();
-    app.add_option("--memory-limit", settings.memory_limit,
-                   "What a bake may take, checked before it starts; without it, three quarters of what the machine has")
-        ->transform(CLI::AsSizeValue(false).description(""))
-        ->type_name("BYTES|8G");
+    add_error_options(app, settings);
+    add_tracing_options(app, settings);
 }
 
 } // namespace vkbake::cli

@@ -223,7 +223,8 @@ GeometryImage sampled_geometry_image(const Surface& surface, const Atlas& atlas,
         const TexelBox box = texel_box(atlas, grid, number);
         for (int j = box.y_begin; j < box.y_end; ++j) {
             for (int i = box.x_begin; i < box.x_end; ++i) {
-                const int square = number_of[static_cast<std::size_t>(j / side * columns + i / side)];
+                const int square = number_of[static_cast<std::size_t>(j / side) * static_cast<std::size_t>(columns) +
+                                             static_cast<std::size_t>(i / side)];
                 if (square == none) {
                     i += side - 1 - i % side; // on to the next square
                 } else {

@@ -30,8 +30,8 @@ public:
                                    const glm::vec2& uv) const;
 
 private:
-    glm::dmat3 m_normal;
-    glm::dmat3 m_tangent;
+    glm::dmat3 m_normal{1.0};
+    glm::dmat3 m_tangent{1.0};
     float m_handedness;
 };
 

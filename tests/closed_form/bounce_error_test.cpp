@@ -18,10 +18,10 @@ namespace {
 
 /// A black floor under a square lamp, which hides its part of a sky. The lamp is turned, so that its borders lie askew
 /// to all strata.
-struct LitFloor {
-    double half;
-    double radiance;
-    double sky;
+struct LampAndSky {
+    double half = 0.0;
+    double radiance = 0.0;
+    double sky = 0.0;
     glm::dvec3 lamp{0.3, 1.0, -0.4};
     glm::dvec3 along{std::cos(0.5), 0.0, std::sin(0.5)}; ///< the lamp's own axes
     glm::dvec3 across{-std::sin(0.5), 0.0, std::cos(0.5)};
@@ -51,14 +51,14 @@ Settings estimated(std::uint32_t rays) {
 }
 
 /// Of the floor's texels.
-struct Tally {
+struct FloorTally {
     double texels = 0.0;
     double right = 0.0; ///< with the truth in their interval of 95 %
     double squares = 0.0;
     double told_squares = 0.0;
     double truth = 0.0;
 
-    void add(const Bake& bake, const LitFloor& floor) {
+    void add(const Bake& bake, const LampAndSky& floor) {
         const GeometryImage geometry = reference_geometry_image(bake.surface, bake.atlas, 0);
         const LightMap& map = bake.light_maps[0];
         for (std::size_t texel = 0; texel < geometry.texel_count(); ++texel) {
@@ -81,8 +81,8 @@ struct Tally {
 
 TEST(BounceError, IntervalsHoldTheTruth) {
     // A small lamp that rays seek beside a dim sky; a wide one that most rays meet; one that is all the light there is.
-    for (const LitFloor& floor : {LitFloor{0.1, 30.0, 0.2}, LitFloor{1.0, 1.0, 0.6}, LitFloor{0.5, 5.0, 0.0}}) {
-        Tally tally;
+    for (const LampAndSky& floor : {LampAndSky{0.1, 30.0, 0.2}, LampAndSky{1.0, 1.0, 0.6}, LampAndSky{0.5, 5.0, 0.0}}) {
+        FloorTally tally;
         for (std::uint32_t seed = 1; seed <= test::amount(8U, 1U); ++seed) {
             Settings settings = estimated(64);
             settings.seed = seed;
@@ -99,14 +99,14 @@ TEST(BounceError, IntervalsHoldTheTruth) {
 }
 
 /// Root of the mean square error over the mean.
-double relative_error(const LitFloor& floor, const Bake& bake) {
-    Tally tally;
+double relative_error(const LampAndSky& floor, const Bake& bake) {
+    FloorTally tally;
     tally.add(bake, floor);
     return std::sqrt(tally.squares / tally.texels) / (tally.truth / tally.texels);
 }
 
 TEST(BounceError, WhatIsAskedForIsOfAllLight) {
-    const LitFloor floor{0.5, 3.0, 0.5};
+    const LampAndSky floor{0.5, 3.0, 0.5};
     for (const double target : {0.02, 0.005}) {
         Settings settings = estimated(64);
         settings.estimate_error = false;

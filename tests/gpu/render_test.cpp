@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -221,7 +222,7 @@ TEST(Render, DirectionalMapsAreDrawnUnlessOneIsMissingOrSwitchedOff) {
                                                        .intensity = 50.0F,
                                                        .linear_file = {},
                                                        .directional_files = {"0.exr", "1.exr", "2.exr", "3.exr"}};
-    for (int i = 0; i < 4; ++i) { // light from the right, and from the wall's front
+    for (std::size_t i = 0; i < 4; ++i) { // light from the right, and from the wall's front
         const std::array<float, 4> coefficients{1.0F, 0.0F, 0.5F, 1.0F};
         vkbake::write_image(folder.path() / (std::to_string(i) + ".exr"), map_of(glm::vec3(coefficients[i])));
     }

@@ -24,9 +24,11 @@ TEST(SampledGeometryImage, SquaresAreWhatThePageHasThere) {
             for (int texel = 0; texel < side * side; ++texel) {
                 const int column = texel % side;
                 const int row = texel / side;
-                const auto of_part = static_cast<std::size_t>(row * part.width + square * side + column);
+                const auto of_part = static_cast<std::size_t>(row) * static_cast<std::size_t>(part.width) +
+                                     static_cast<std::size_t>(square * side + column);
                 const bool inside = x * side + column < whole.width && y * side + row < whole.height;
-                const auto of_whole = static_cast<std::size_t>((y * side + row) * whole.width + x * side + column);
+                const auto of_whole = static_cast<std::size_t>(y * side + row) * static_cast<std::size_t>(whole.width) +
+                                      static_cast<std::size_t>(x * side + column);
                 ASSERT_EQ(part.triangle[of_part], inside ? whole.triangle[of_whole] : GeometryImage::empty);
                 if (inside) {
                     EXPECT_EQ(part.position[of_part], whole.position[of_whole]);
