@@ -37,6 +37,9 @@ constexpr double child_cost = 0.5;
 }
 /// Fewer triangles are left together: a smaller leaf takes as many bytes, and trying costs time.
 constexpr std::size_t least_to_halve = 8;
+/// Of the area of a leaf's box, that its triangles' boxes have in the mean. At 0.15 the bunny is traced 8 % slower;
+/// trying whatever it is takes a tenth more of the build's time, and traces none of three scenes faster.
+constexpr double greatest_filled_share = 0.2;
 /// Cuts that leave at least one triangle of a leaf's on either side, and more than enough of them.
 constexpr std::size_t levels_in_leaf = 5;
 
@@ -155,13 +158,22 @@ private:
         }
     }
 
+    /// Whether the items' own boxes are so large beside the one around all that cutting is not worth trying.
+    [[nodiscard]] static bool well_filled(std::span<const BuildItem> items, double half_area) {
+        double filled = 0.0;
+        for (const BuildItem& item : items) {
+            filled += item.box().half_area();
+        }
+        return filled > greatest_filled_share * half_area * static_cast<double>(items.size());
+    }
+
     /// Of a leaf that is better two, whose items it puts in the order of these; otherwise nothing is changed.
     [[nodiscard]] std::optional<Halves> worthwhile_halves(const Subtree& subtree) const {
         const std::size_t count = subtree.size();
-        if (count < least_to_halve || subtree.depth_left <= levels_in_leaf) {
+        const std::span<BuildItem> items = items_of(subtree);
+        if (count < least_to_halve || subtree.depth_left <= levels_in_leaf || well_filled(items, subtree.half_area)) {
             return std::nullopt;
         }
-        const std::span<BuildItem> items = items_of(subtree);
         std::array<BuildItem, leaf_width> copies; // NOLINT(cppcoreguidelines-pro-type-member-init): written below
         std::copy(items.begin(), items.end(), copies.begin());
         for (BuildItem& copy : copies) {
