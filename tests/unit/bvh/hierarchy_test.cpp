@@ -131,6 +131,31 @@ TEST(Hierarchy, DegenerateInputNeitherRecursesAwayNorLosesTriangles) {
     }));
 }
 
+TEST(Hierarchy, AGroundSharesNoLeafWithWhatStandsOnIt) {
+    // Eight small triangles over nine corners and the two of a ground beneath: they would find room in one leaf, which
+    // every ray from the ground would then ask.
+    std::vector<glm::vec3> positions;
+    const auto add_quad = [&](float left, float front, float size, float height) {
+        const auto corner = [&](float x, float z) { return glm::vec3(left + x * size, height, front + z * size); };
+        positions.insert(positions.end(), {corner(0, 0), corner(1, 0), corner(1, 1)});
+        positions.insert(positions.end(), {corner(0, 0), corner(1, 1), corner(0, 1)});
+    };
+    for (const float x : {0.0F, 0.01F}) {
+        for (const float z : {0.0F, 0.01F}) {
+            add_quad(x, z, 0.01F, 0.1F);
+        }
+    }
+    add_quad(-1.0F, -1.0F, 2.0F, 0.0F);
+    const test::Triangles given = test::make_triangles("table", positions);
+    const TriangleList list = list_triangles(given.positions, given.order, 0);
+    const Hierarchy hierarchy = build_hierarchy(ListedTriangles(given.positions, list), 1, 0);
+    for (const Leaf& leaf : hierarchy.leaves) {
+        const auto& heights = leaf.vertices[1];
+        EXPECT_EQ(std::ranges::count(heights, heights[0]), static_cast<std::ptrdiff_t>(heights.size()));
+    }
+    EXPECT_EQ(hierarchy.leaves.size(), 2U);
+}
+
 TEST(Hierarchy, DoesNotDependOnThreads) {
     const test::Triangles soup = test::soup(20000, 0.05F, 4);
     const TriangleList list = list_triangles(soup.positions, soup.order, 0);
