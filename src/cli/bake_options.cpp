@@ -121,6 +121,8 @@ void add_light_options(CLI::App& app, Settings& settings) {
                  "Estimate each texel's error and write it beside the light map; costs no rays");
     add_choice(app, "--denoise", settings.denoise,
                "Filter noise out where neighbouring texels differ by no more than their errors explain");
+    add_choice(app, "--blend-creases", settings.blend_creases,
+               "Mix the light of both sides in texels on a crease inside a chart, so that it has no teeth there");
     add_choice(app, "--sampler", settings.sampler, "How directions are chosen");
     add_choice(app, "--accelerator", settings.accelerator, "What rays are traced against; never changes the result");
     add_choice(app, "--triangle-test", settings.triangle_test,
