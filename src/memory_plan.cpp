@@ -27,8 +27,9 @@ constexpr std::uint64_t triangle_bytes = 500;
 constexpr std::uint64_t sky_texel_bytes = 16;
 /// Of every map until all are written: RGBA and coverage.
 constexpr std::uint64_t map_texel_bytes = 20;
-/// Of what is touched of it: its 8-bit picture as PNG and in the .glb.
-constexpr std::uint64_t touched_map_texel_bytes = 9;
+/// Of what is touched of it: its 8-bit picture as PNG and in the .glb 9; and 24 of each texel on a crease, for which
+/// one in six is taken.
+constexpr std::uint64_t touched_map_texel_bytes = 13;
 /// Of every map while bounces, or probes, are traced: albedo and emission 24, the light that leaves now and after the
 /// next bounce 26.
 constexpr std::uint64_t bounce_texel_bytes = 50;

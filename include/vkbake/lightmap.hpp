@@ -28,6 +28,7 @@ struct LightMapStatistics {
     std::uint64_t peak_rays = 0;          ///< traced beside both, towards the sky's brightest places
     std::uint64_t directional_rays = 0;   ///< traced beside all these, for LightMap::directional
     std::uint64_t denoised_texels = 0;    ///< that the denoiser changed
+    std::uint64_t blended_texels = 0;     ///< on creases: Settings::blend_creases
     std::uint64_t filled_texels = 0;      ///< by dilation
     double seconds = 0.0;                 ///< tracing
     /// For each of Scene::lamps the rays that reached it; empty where no lamps were baked.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "atlas/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "atlas/edge_graph.hpp"
 #include "atlas/predicates.hpp"
 #include "atlas/triangle_tree.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "atlas/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "atlas/predicates.hpp"
 #include "base/random.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "atlas/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "atlas/plane_grid.hpp"
 #include "atlas/relax.hpp"
 

@@ -83,6 +83,8 @@ void add_error_options(CLI::App& app, Settings& settings) {
                  "Estimate each texel's error and write it beside the light map; costs no rays");
     add_choice(app, "--denoise", settings.denoise,
                "Filter noise out where neighbouring texels differ by no more than their errors explain");
+    add_choice(app, "--blend-creases", settings.blend_creases,
+               "Mix the light of both sides in texels on a crease inside a chart, so that it has no teeth there");
 }
 
 void add_tracing_options(CLI::App& app, Settings& settings) {

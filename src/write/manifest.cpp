@@ -112,6 +112,7 @@ Json settings_json(const Settings& settings) {
             {"error-map", settings.estimate_error},
             {"seed", settings.seed},
             {"denoise", name_of(settings.denoise)},
+            {"blend-creases", name_of(settings.blend_creases)},
             {"padding", settings.padding}};
 }
 
@@ -123,6 +124,7 @@ Json counts_json(const LightMap& map) {
               {"coverage", texels > 0.0 ? static_cast<double>(statistics.covered_texels) / texels : 0.0},
               {"covered_texels", statistics.covered_texels},
               {"denoised_texels", statistics.denoised_texels},
+              {"blended_texels", statistics.blended_texels},
               {"filled_texels", statistics.filled_texels},
               {"rays", statistics.rays},
               {"occluded_rays", statistics.occluded_rays},
