@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "base/disjoint_sets.hpp"
 #include "atlas/edge_graph.hpp"
 #include "atlas/predicates.hpp"
 #include "atlas/triangle_tree.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace vkbake {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/disjoint_sets.hpp"
 #include "atlas/predicates.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 
 namespace vkbake {

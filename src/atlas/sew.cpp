@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/disjoint_sets.hpp"
 #include "atlas/plane_grid.hpp"
 #include "atlas/relax.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace vkbake {
 

@@ -56,9 +56,7 @@ struct Roof {
 };
 
 /// Under the radiance 1 + d·w an open surface of normal n gets E/π = 1 + ⅔ n·w.
-double linear_sky(const glm::dvec3& normal) {
-    return 1.0 + 2.0 / 3.0 * glm::dot(normal, glm::dvec3(0.8, 0.3, -0.2));
-}
+double linear_sky(const glm::dvec3& normal) { return 1.0 + 2.0 / 3.0 * glm::dot(normal, glm::dvec3(0.8, 0.3, -0.2)); }
 
 vkbake::Image lit(const Roof& roof) {
     vkbake::Image image{.width = side, .height = side, .texels = {}, .coverage = {}};
@@ -150,7 +148,7 @@ TEST(CreaseTexels, MixStandardErrorsAtMostAsTheyMixLight) {
 
 TEST(CoveredArea, IsThatOfWhatIsInTheSquare) {
     EXPECT_EQ(vkbake::covered_area({glm::dvec2(0, 0), {1, 0}, {0, 1}}), 0.5);
-    EXPECT_EQ(vkbake::covered_area({glm::dvec2(-4, -4), {9, -4}, {-4, 9}}), 1.0);    // all of it
+    EXPECT_EQ(vkbake::covered_area({glm::dvec2(-4, -4), {9, -4}, {-4, 9}}), 1.0);      // all of it
     EXPECT_EQ(vkbake::covered_area({glm::dvec2(0.5, 0.5), {2, 0.5}, {0.5, 2}}), 0.25); // a quarter
     EXPECT_EQ(vkbake::covered_area({glm::dvec2(0.5, 2), {2, 0.5}, {0.5, 0.5}}), 0.25); // turned the other way
     EXPECT_EQ(vkbake::covered_area({glm::dvec2(2, 0), {3, 0}, {2, 1}}), 0.0);
