@@ -101,8 +101,8 @@ struct Settings {
     /// errors are then estimated, and those of the filtered map are told. Of the sky's and the lamps' direct light:
     /// bounces are added as they come. Sampler cosine, 16 rays or more.
     Switch denoise = Switch::off;
-    /// Whether texels on a crease inside a chart hold the light of both sides, by how much of them lies on each; off: of
-    /// the side that holds the texel's sample point, which gives the light teeth along creases that run aslant.
+    /// Whether texels on a crease inside a chart hold the light of both sides, by how much of them lies on each; off:
+    /// of the side that holds the texel's sample point, which gives the light teeth along creases that run aslant.
     Switch blend_creases = Switch::on;
     int padding = 8; ///< rounds of dilation; 0 … 1024
 

@@ -105,7 +105,7 @@ private:
 
     /// Of a triangle, in texels.
     [[nodiscard]] std::array<glm::dvec2, 3> corners_of(std::uint32_t triangle) const {
-        std::array<glm::dvec2, 3> corners;
+        std::array<glm::dvec2, 3> corners{};
         for (std::size_t corner = 0; corner < 3; ++corner) {
             corners[corner] = glm::dvec2(m_atlas.uvs[3 * std::size_t{triangle} + corner]) *
                               glm::dvec2(m_geometry.width, m_geometry.height);
