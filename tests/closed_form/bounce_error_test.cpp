@@ -89,6 +89,9 @@ TEST(BounceError, IntervalsHoldTheTruth) {
             tally.add(floor.bake(settings), floor);
         }
         EXPECT_GE(tally.right / tally.texels, 0.93) << floor.half;
+        if (test::few_samples) {
+            continue; // how large errors are, one map's tell too roughly
+        }
         const double told = std::sqrt(tally.told_squares / tally.squares);
         EXPECT_GE(told, 0.9) << floor.half;
         if (floor.half > 0.3) { // of a smaller one most texels' rays meet nothing, and what they may have missed counts
