@@ -1,6 +1,5 @@
 // The pipeline: its stages in order, and nothing else.
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include "atlas/make_atlas.hpp"
@@ -22,23 +21,6 @@
 
 namespace vkbake {
 namespace {
-
-std::vector<CreaseTexel> crease_texels(const Bake& bake, const GeometryImage& geometry, std::size_t page) {
-    return bake.settings.blend_creases == Switch::on
-               ? find_crease_texels(bake.surface, bake.atlas, geometry, static_cast<std::uint32_t>(page))
-               : std::vector<CreaseTexel>();
-}
-
-void blend(std::span<const CreaseTexel> creases, LightMap& map) {
-    blend_creases(creases, map.image);
-    for (Image& image : map.directional) {
-        blend_creases(creases, image);
-    }
-    if (!map.standard_error.empty()) {
-        blend_creases(creases, map.image.width, map.standard_error);
-    }
-    map.statistics.blended_texels = creases.size();
-}
 
 Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, const Device& device,
                 const Progress& progress) {
@@ -66,10 +48,10 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
         return Tracer(bake.surface, sky, settings, scene.lamps, opacity ? &*opacity : nullptr);
     });
 
-    std::vector<std::vector<CreaseTexel>> creases; // of each page
     const bool denoised = settings.denoise == Switch::on;
     const double passes = denoised ? 3.0 : 1.0; // dilation takes about what the geometry image does, denoising twice
     const std::size_t pages = bake.atlas.pages.size();
+    std::vector<std::vector<CreaseTexel>> creases(pages);
     GeometryImage geometry;
     std::size_t drawn = pages; // the page that it is of
     const auto draw = [&](std::size_t page) -> const GeometryImage& {
@@ -94,7 +76,11 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
         }
         map.name = bake.atlas.pages[page].name;
         bake.light_maps.push_back(std::move(map));
-        creases.push_back(clock.run("creases", [&] { return crease_texels(bake, geometry, page); }));
+        if (settings.blend_creases == Switch::on) {
+            creases[page] = clock.run("creases", [&] {
+                return find_crease_texels(bake.surface, bake.atlas, geometry, static_cast<std::uint32_t>(page));
+            });
+        }
     }
     add_notes(tracer.notes());
     add_notes(note_lamps(scene, bake));
@@ -113,9 +99,9 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
         LightMap& map = bake.light_maps[page];
-        blend(creases[page], map);
         const auto pad = [&](Image& image) { return dilate(device.context(), image, {.rounds = settings.padding}); };
         map.statistics.filled_texels = clock.run("finish", [&] {
+            blend_creases(creases[page], map);
             std::ranges::for_each(map.directional, pad);
             return pad(map.image);
         });

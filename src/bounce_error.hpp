@@ -8,11 +8,9 @@
 
 namespace vkbake {
 
-/// Of a map as it is; absent where its error was not estimated.
-[[nodiscard]] std::optional<KnownLight> known_light(const LightMap& map);
-
-/// Adds the light of a bounce, and its noise: standard errors add up by their squares, since it was gathered by rays of
-/// its own. That the light it was gathered from had noise shows in those rays, as each ended elsewhere.
-void add_bounce(const LightMap& gathered, LightMap& map);
+/// Adds the light of a bounce, and its noise, to a map of which `before` was known: standard errors add up by their
+/// squares, since it was gathered by rays of its own. That the light it was gathered from had noise shows in those
+/// rays, as each ended elsewhere.
+void add_bounce(const LightMap& gathered, const std::optional<KnownLight>& before, LightMap& map);
 
 } // namespace vkbake

@@ -6,10 +6,10 @@
 #include <cstddef>
 
 #include "base/random.hpp"
-#include "bounce_error.hpp"
 #include "geometry_image/reference.hpp"
 #include "opacity.hpp"
 #include "trace/contrasts.hpp"
+#include "trace/known_light.hpp"
 #include "trace/tracer.hpp"
 
 namespace vkbake {

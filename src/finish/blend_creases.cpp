@@ -53,4 +53,15 @@ void blend_creases(std::span<const CreaseTexel> creases, int width, std::vector<
     }
 }
 
+void blend_creases(std::span<const CreaseTexel> creases, LightMap& map) {
+    blend_creases(creases, map.image);
+    for (Image& image : map.directional) {
+        blend_creases(creases, image);
+    }
+    if (!map.standard_error.empty()) {
+        blend_creases(creases, map.image.width, map.standard_error);
+    }
+    map.statistics.blended_texels = creases.size();
+}
+
 } // namespace vkbake

@@ -6,6 +6,7 @@
 
 #include "finish/crease_texels.hpp"
 #include "vkbake/image.hpp"
+#include "vkbake/lightmap.hpp"
 
 namespace vkbake {
 
@@ -15,5 +16,8 @@ void blend_creases(std::span<const CreaseTexel> creases, Image& image);
 /// The same with standard errors, row-major in rows of `width`: of the mixed light they are no greater than the mixed
 /// ones.
 void blend_creases(std::span<const CreaseTexel> creases, int width, std::vector<float>& standard_errors);
+
+/// All pictures of a map and, where it has them, its standard errors; counts the texels.
+void blend_creases(std::span<const CreaseTexel> creases, LightMap& map);
 
 } // namespace vkbake

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "base/luminance.hpp"
+#include "base/percentile.hpp"
 
 namespace vkbake {
 
@@ -31,19 +32,6 @@ LightSums sums_of(const LightMap& map, std::span<const float> variance) {
         }
     }
     return sums;
-}
-
-/// The hundredth part of the texels has a larger standard error.
-double percentile_99(const LightMap& map) {
-    std::vector<float> errors;
-    for (std::size_t texel = 0; texel < map.standard_error.size(); ++texel) {
-        if (is_baked(map, texel)) {
-            errors.push_back(map.standard_error[texel]);
-        }
-    }
-    const auto place = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100);
-    std::nth_element(errors.begin(), place, errors.end());
-    return static_cast<double>(*place);
 }
 
 } // namespace
@@ -113,7 +101,7 @@ std::uint64_t take_denoised(const DenoiseFields& fields, std::span<const Denoise
         const double mean = sums.light / sums.count;
         map.error->noise_rmse = map.error->relative_rmse;
         map.error->relative_rmse = std::sqrt(std::max(squares, noise) / sums.count) / mean;
-        map.error->percentile_99 = percentile_99(map) / mean;
+        map.error->percentile_99 = covered_percentile_99(map.standard_error, map.image.coverage) / mean;
     }
     return changed;
 }

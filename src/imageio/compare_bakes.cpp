@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/luminance.hpp"
+#include "base/percentile.hpp"
 #include "vkbake/compare.hpp"
 #include "vkbake/error.hpp"
 
@@ -60,10 +61,8 @@ BakeError compare_bakes(const Bake& bake, const Bake& reference) {
     BakeError result;
     result.relative_rmse = std::sqrt(std::max(errors.squares - errors.own_squares, 0.0) / count) / mean;
     result.bias = errors.off / count / mean;
-    const auto place = errors.distances.begin() + static_cast<std::ptrdiff_t>(errors.distances.size() * 99 / 100);
-    std::nth_element(errors.distances.begin(), place, errors.distances.end());
-    result.percentile_99 = *place / mean;
-    result.maximum = *std::max_element(place, errors.distances.end()) / mean;
+    result.percentile_99 = percentile_99(errors.distances) / mean;
+    result.maximum = std::ranges::max(errors.distances) / mean;
     return result;
 }
 

@@ -1,5 +1,6 @@
 #include "surface/make_surface.hpp"
 
+#include "base/normal_transform.hpp"
 #include "base/parallel.hpp"
 #include "surface/bake_frame.hpp"
 #include "surface/canonical.hpp"
@@ -18,18 +19,6 @@ namespace {
 
 constexpr std::size_t triangles_a_task = 4096;
 
-/// A direction's unit vector as floats, or 0 where it has none.
-glm::vec3 unit_or_zero(const glm::dvec3& direction) {
-    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    if (!(largest > 0.0) || !std::isfinite(largest)) {
-        return glm::vec3(0.0F);
-    }
-    // A power of two first: squares of very short or long vectors would leave the range of doubles.
-    const glm::dvec3 scaled = direction * std::ldexp(1.0, -std::ilogb(largest));
-    // Adding 0 turns a negative zero into zero: bits are compared.
-    return glm::vec3(scaled / std::sqrt(glm::dot(scaled, scaled))) + glm::vec3(0.0F);
-}
-
 /// Differences of floats of one frame, and products of two such differences, are exact in double (but for spreads
 /// beyond 2²⁹), so this is zero if and only if the triangle has no area.
 glm::dvec3 doubled_area_vector(const std::array<glm::vec3, 3>& positions) {
@@ -41,30 +30,22 @@ glm::dvec3 doubled_area_vector(const std::array<glm::vec3, 3>& positions) {
 class InstanceTransform {
 public:
     InstanceTransform(const Instance& instance, const BakeFrame& frame)
-        : m_linear(instance.linear), m_translation(instance.translation - frame.centre), m_scale(frame.scale()) {
-        const glm::dmat3& m = instance.linear;
-        const double determinant = glm::dot(glm::cross(m[0], m[1]), m[2]);
-        m_mirrored = determinant < 0.0;
-        // The inverse transpose is the cofactor matrix over the determinant; of that only the sign matters here, and
-        // without the division a transform that flattens keeps its normal.
-        const double sign = m_mirrored ? -1.0 : 1.0;
-        m_normal = glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * sign;
-    }
+        : m_linear(instance.linear), m_normal(instance.linear), m_translation(instance.translation - frame.centre),
+          m_scale(frame.scale()) {}
 
-    [[nodiscard]] bool mirrored() const { return m_mirrored; }
+    [[nodiscard]] bool mirrored() const { return m_normal.mirrored; }
     [[nodiscard]] glm::vec3 position(const glm::vec3& vertex) const {
         return glm::vec3(m_scale * (transform_vertex(m_linear, vertex) + m_translation)) + glm::vec3(0.0F);
     }
     [[nodiscard]] glm::vec3 normal(const glm::vec3& vertex_normal) const {
-        return unit_or_zero(m_normal * glm::dvec3(vertex_normal));
+        return unit_or_zero(m_normal.matrix * glm::dvec3(vertex_normal));
     }
 
 private:
     glm::dmat3 m_linear;
-    glm::dmat3 m_normal{1.0};
+    NormalTransform m_normal;
     glm::dvec3 m_translation;
     double m_scale;
-    bool m_mirrored = false;
 };
 
 void fill_triangle(Surface& surface, const Primitive& primitive, const InstanceTransform& transform,

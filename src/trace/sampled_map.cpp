@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/luminance.hpp"
+#include "base/percentile.hpp"
 #include "trace/tile_loop.hpp"
 
 namespace vkbake {
@@ -149,20 +150,15 @@ void SampledMap::write_to(LightMap& map) const {
     const double greatest = greatest_luminance();
     map.texel_rays.assign(map.image.texels.size(), 0);
     map.standard_error.assign(map.image.texels.size(), 0.0F);
-    std::vector<float> errors;
-    errors.reserve(m_records.size());
     each_texel([&](std::uint32_t texel, const Record& record, std::uint32_t rays) {
         map.image.texels[texel] = glm::vec4(glm::vec3(record.sum / static_cast<double>(rays)), 1.0F);
         map.image.coverage[texel] = 1.0F;
         map.texel_rays[texel] = rays;
         map.standard_error[texel] = static_cast<float>(standard_error(record, rays, whole.ratio, greatest));
-        errors.push_back(map.standard_error[texel]);
     });
     MapError error{.relative_rmse = whole.relative_rmse()};
-    if (!errors.empty() && whole.mean() > 0.0) {
-        const auto place = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100);
-        std::nth_element(errors.begin(), place, errors.end());
-        error.percentile_99 = static_cast<double>(*place) / whole.mean();
+    if (whole.mean() > 0.0) {
+        error.percentile_99 = covered_percentile_99(map.standard_error, map.image.coverage) / whole.mean();
     }
     error.slope = 0.5 * std::log2(whole.ratio);
     map.error = error;

@@ -65,6 +65,7 @@ Settings thesis_settings(int size) {
     settings.accelerator = Accelerator::clusters;
     settings.sampler = Sampler::thesis;
     settings.triangle_test = TriangleTest::moller_trumbore;
+    settings.blend_creases = Switch::off;
     settings.threads = 1;
     return settings;
 }
@@ -74,6 +75,7 @@ Settings default_settings(int size) {
     settings.size = size;
     settings.layout = Layout::object;
     settings.charts = ChartMaker::polypack; // the same texels as the thesis's method
+    settings.blend_creases = Switch::off;   // and the same points of them
     return settings;
 }
 

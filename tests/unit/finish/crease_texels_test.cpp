@@ -12,27 +12,17 @@
 
 #include "finish/blend_creases.hpp"
 #include "finish/covered_area.hpp"
-#include "host_bake.hpp"
+#include "roof.hpp"
 
 namespace {
 
 using vkbake::CreaseTexel;
 
-constexpr int side = 16;
+using vkbake::test::first_share;
+using vkbake::test::roof;
+using vkbake::test::under_sloping_sky;
 
-/// In the map the roof is the unit square, and its crease runs from (1/4, 0) to (3/4, 1).
-double crease_at(double v) { return 0.25 + 0.5 * v; }
-
-/// The second face goes down by as much as it is away from the crease.
-vkbake::Primitive roof() {
-    vkbake::Primitive primitive;
-    for (const auto& [u, v] : {std::pair(0.0, 0.0), {0.25, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.75, 1.0}, {1.0, 1.0}}) {
-        const double beyond = std::max(0.0, u - crease_at(v)) / std::sqrt(1.25);
-        vkbake::test::add_vertex(primitive, glm::vec3(glm::dvec3(u, -beyond, v)));
-    }
-    primitive.indices = {0, 3, 1, 1, 3, 4, 1, 4, 2, 2, 4, 5};
-    return primitive;
-}
+constexpr int side = vkbake::test::roof_side;
 
 struct Roof {
     vkbake::Surface surface;
@@ -55,27 +45,13 @@ struct Roof {
     }
 };
 
-/// Under the radiance 1 + d·w an open surface of normal n gets E/π = 1 + ⅔ n·w.
-double linear_sky(const glm::dvec3& normal) { return 1.0 + 2.0 / 3.0 * glm::dot(normal, glm::dvec3(0.8, 0.3, -0.2)); }
-
 vkbake::Image lit(const Roof& roof) {
     vkbake::Image image{.width = side, .height = side, .texels = {}, .coverage = {}};
     for (std::size_t texel = 0; texel < roof.geometry.texel_count(); ++texel) {
-        const double light = linear_sky(glm::dvec3(roof.geometry.geometric_normal[texel]));
+        const double light = under_sloping_sky(glm::dvec3(roof.geometry.geometric_normal[texel]));
         image.texels.emplace_back(glm::vec3(static_cast<float>(light)), 1.0F);
     }
     return image;
-}
-
-/// Of texel (x, y), what lies on the first face: where the crease stands between its sides, integrated exactly, as the
-/// crease stays between the same borders on either side of where it meets one.
-double first_share(int x, int y) {
-    const auto cut = [&](double v) { return std::clamp(crease_at(v) * side - x, 0.0, 1.0); };
-    // The crease meets the columns' borders at v = 2 (border / side − 1/4): for 16 texels in the middle of rows at the
-    // most, so halves of rows are integrated by the trapezoidal rule.
-    const double top = static_cast<double>(y) / side;
-    const double half = 0.5 / side;
-    return (cut(top) + 2.0 * cut(top + half) + cut(top + 2.0 * half)) / 4.0;
 }
 
 TEST(CreaseTexels, HoldTheAreaWeightedMeanOfBothSidesUnderALinearSky) {
@@ -83,8 +59,8 @@ TEST(CreaseTexels, HoldTheAreaWeightedMeanOfBothSidesUnderALinearSky) {
     vkbake::Image image = lit(roof);
     const std::vector<CreaseTexel> creases = roof.creases();
     vkbake::blend_creases(creases, image);
-    const double first = linear_sky({0.0, 1.0, 0.0});
-    const double second = linear_sky(glm::normalize(glm::dvec3(1.0, std::sqrt(1.25), -0.5)));
+    const double first = under_sloping_sky(vkbake::test::first_normal());
+    const double second = under_sloping_sky(vkbake::test::second_normal());
     ASSERT_GT(std::abs(first - second), 0.3);
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
