@@ -37,7 +37,7 @@ Allocation allocate(std::span<const TileNeed> needs, double ratio, bool at_most,
     if (high == 0.0 || enough(allocate_at(needs, ratio, high))) {
         return allocate_at(needs, ratio, std::max(high, 1e-300));
     }
-    constexpr int steps = 60;
+    constexpr int steps = 28; // in logarithms: high and low are then within 10⁻⁶ of each other
     for (int step = 0; step < steps; ++step) {
         const double middle = std::sqrt(low) * std::sqrt(high);
         (enough(allocate_at(needs, ratio, middle)) ? low : high) = middle;

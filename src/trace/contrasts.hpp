@@ -37,6 +37,13 @@ inline constexpr double interval_95 = 2.365;
 /// Mean squares on the three scales, the finest (of 4 contrasts) first, then of 2, then of 1.
 struct Contrasts {
     std::array<double, 3> squares{};
+
+    Contrasts& operator+=(const Contrasts& other) {
+        for (std::size_t scale = 0; scale < squares.size(); ++scale) {
+            squares[scale] += other.squares[scale];
+        }
+        return *this;
+    }
 };
 
 /// `sums`: of the eight parts; `rays`: N.
@@ -54,6 +61,8 @@ private:
     double m_coarse = 0.0;
     double m_fine = 0.0;
 };
+
+// Both below are linear in the contrasts: of their sum over texels they give the sum of variances.
 
 /// The variance of the mean of all N samples, from all seven contrasts, weighted alike.
 [[nodiscard]] double variance(const Contrasts& contrasts, double ratio, std::uint32_t rays);

@@ -19,7 +19,7 @@ double MapEstimate::relative_rmse() const {
 SampledMap::SampledMap(std::span<const TexelTile> tiles, const Settings& settings, float max_distance, double intensity,
                        const KnownLight& before)
     : m_tiles(tiles), m_settings(settings), m_max_distance(max_distance), m_intensity(intensity), m_before(before),
-      m_rays(tiles.size(), 0) {
+      m_rays(tiles.size(), 0), m_sums(tiles.size()) {
     std::uint32_t slots = 0;
     m_first_slot.reserve(tiles.size());
     for (const TexelTile& tile : tiles) {
@@ -56,6 +56,7 @@ std::size_t SampledMap::extend(std::span<const TileOrder> orders, const Samplers
             add(m_first_slot[order.tile] + lane, lane, sampler.light(lane), sampler.parts(), had, order.rays);
         }
         m_rays[order.tile] = order.rays;
+        m_sums[order.tile] = sums_of(order.tile);
     });
 }
 
@@ -87,32 +88,37 @@ void SampledMap::each_texel(const Visit& visit) const {
     }
 }
 
+SampledMap::TileSums SampledMap::sums_of(std::size_t tile) const {
+    TileSums sums;
+    for (std::uint32_t lane = 0; lane < m_tiles[tile].count; ++lane) {
+        const Record& record = m_records[m_first_slot[tile] + lane];
+        sums.contrasts += contrasts(record.parts, m_rays[tile]);
+        sums.luminance += luminance(record.sum) / m_rays[tile];
+    }
+    return sums;
+}
+
 MapEstimate SampledMap::estimate() const {
     MapEstimate result{.before = m_before};
     if (m_records.empty()) {
         return result;
     }
     FallOfVariance fall;
-    each_texel([&](std::uint32_t /*texel*/, const Record& record, std::uint32_t rays) {
-        fall.add(contrasts(record.parts, rays));
-        result.sampled.mean += luminance(record.sum) / rays;
-    });
+    for (const TileSums& sums : m_sums) {
+        fall.add(sums.contrasts);
+        result.sampled.mean += sums.luminance;
+    }
     result.ratio = fall.ratio();
-    each_texel([&](std::uint32_t /*texel*/, const Record& record, std::uint32_t rays) {
-        result.sampled.variance += coarse_variance(contrasts(record.parts, rays), result.ratio, rays);
-    });
+    for (std::size_t tile = 0; tile < m_tiles.size(); ++tile) {
+        result.sampled.variance += coarse_variance(m_sums[tile].contrasts, result.ratio, m_rays[tile]);
+    }
     result.sampled.mean /= static_cast<double>(m_records.size());
     result.sampled.variance /= static_cast<double>(m_records.size());
     return result;
 }
 
 double SampledMap::tile_variance(std::size_t tile, double ratio) const {
-    double sum = 0.0;
-    for (std::uint32_t lane = 0; lane < m_tiles[tile].count; ++lane) {
-        const Record& record = m_records[m_first_slot[tile] + lane];
-        sum += variance(contrasts(record.parts, m_rays[tile]), ratio, m_rays[tile]);
-    }
-    return sum;
+    return variance(m_sums[tile].contrasts, ratio, m_rays[tile]);
 }
 
 double SampledMap::greatest_luminance() const {

@@ -74,9 +74,17 @@ private:
         std::uint32_t blocked = 0;
     };
 
+    /// Of a tile: sums over its texels, to which all estimates of the map are linear. So deciding what to trace next
+    /// takes a sixteenth of the work, and this is kept by whoever traced the tile.
+    struct TileSums {
+        double luminance = 0.0; ///< of the means
+        Contrasts contrasts;
+    };
+
     /// Adds what a worker has just traced.
     void add(std::size_t slot, std::size_t lane, const glm::dvec3& sum, const LaneParts& parts, std::uint32_t had,
              std::uint32_t has);
+    [[nodiscard]] TileSums sums_of(std::size_t tile) const;
     /// Calls visit(texel, record, rays) in the tiles' order.
     template<typename Visit>
     void each_texel(const Visit& visit) const;
@@ -91,6 +99,7 @@ private:
     KnownLight m_before;
     std::vector<std::uint32_t> m_first_slot; ///< of each tile, in m_records
     std::vector<std::uint32_t> m_rays;       ///< of each tile
+    std::vector<TileSums> m_sums;            ///< of each tile
     std::vector<Record> m_records;
 };
 
