@@ -8,7 +8,7 @@
 
 namespace vkbake {
 
-/// Errors of luminance-free RGB: each channel counts alike. Coverage (alpha where a file has no coverage) above ½
+/// Errors of RGB, each channel counting alike, and of luminance. Coverage (alpha where a file has no coverage) above ½
 /// covers a texel.
 struct Comparison {
     std::uint64_t covered_a = 0;
@@ -17,7 +17,9 @@ struct Comparison {
     std::uint64_t not_finite = 0;           ///< texels left out because a value of either is NaN or infinite
     double root_mean_square = 0.0;          ///< of the differences of all channels
     double relative_root_mean_square = 0.0; ///< root_mean_square ÷ mean of A's channels; 0 where both are 0
-    double mean_a = 0.0;
+    double relative_rmse = 0.0; ///< of luminance (Rec. 709), ÷ its mean in A: as MapError and Settings::target_error
+                                ///< have it; 0 where both are 0
+    double mean_a = 0.0;        ///< of all channels
     double mean_b = 0.0;
     double maximum = 0.0; ///< the largest absolute difference of a channel
     int maximum_x = 0;    ///< where it is

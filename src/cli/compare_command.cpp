@@ -35,6 +35,8 @@ void print_comparison(const Comparison& comparison) {
     fmt::print("mean                   A {:.6g}, B {:.6g}\n", comparison.mean_a, comparison.mean_b);
     fmt::print("root-mean-square       {:.6g}\n", comparison.root_mean_square);
     fmt::print("relative               {:.6g} (root-mean-square / mean of A)\n", comparison.relative_root_mean_square);
+    fmt::print("error                  {:.6g} (of luminance / its mean in A, as --target-error has it)\n",
+               comparison.relative_rmse);
     fmt::print("maximum                {:.6g} at texel ({}, {})\n", comparison.maximum, comparison.maximum_x,
                comparison.maximum_y);
 }
@@ -88,7 +90,9 @@ void add_compare_command(CLI::App& app, Invocation& invocation) {
         .add_option("--difference", options->difference,
                     "Write |a - b| to this image (.png: scaled so that the largest is white)")
         ->type_name("FILE");
-    command.add_option("--max-error", options->max_error, "Exit with 1 above this relative root-mean-square error")
+    command
+        .add_option("--max-error", options->max_error,
+                    "Exit with 1 above this relative root-mean-square error of all channels")
         ->check(CLI::NonNegativeNumber);
     command.add_flag("--allow-partial", options->allow_partial, "Compare though the two cover different texels");
     command.add_flag("--json", options->json, "Print the figures as JSON");

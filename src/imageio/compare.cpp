@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "base/luminance.hpp"
 #include "vkbake/error.hpp"
 
 namespace vkbake {
@@ -24,11 +25,22 @@ struct Sums {
     double a = 0.0;
     double b = 0.0;
     double squares = 0.0;
+    double luminance_a = 0.0;
+    double luminance_squares = 0.0;
 };
+
+/// 0 for 0 ÷ 0.
+double relative(double error, double mean) {
+    return error == 0.0 ? 0.0 : (mean != 0.0 ? error / mean : std::numeric_limits<double>::infinity());
+}
 
 void compare_texel(const Image& a, const Image& b, std::size_t texel, Comparison& result, Sums& sums) {
     glm::vec4& difference = result.difference.texels[texel];
     difference.w = 1.0F;
+    const double luminance_a = luminance(glm::dvec3(a.texels[texel]));
+    const double luminance_error = luminance(glm::dvec3(b.texels[texel])) - luminance_a;
+    sums.luminance_a += luminance_a;
+    sums.luminance_squares += luminance_error * luminance_error;
     for (int channel = 0; channel < 3; ++channel) {
         const double value_a = static_cast<double>(a.texels[texel][channel]);
         const double value_b = static_cast<double>(b.texels[texel][channel]);
@@ -79,10 +91,9 @@ Comparison compare(const Image& a, const Image& b) {
     result.mean_a = sums.a / values;
     result.mean_b = sums.b / values;
     result.root_mean_square = std::sqrt(sums.squares / values);
-    if (result.root_mean_square != 0.0) {
-        result.relative_root_mean_square =
-            result.mean_a != 0.0 ? result.root_mean_square / result.mean_a : std::numeric_limits<double>::infinity();
-    }
+    result.relative_root_mean_square = relative(result.root_mean_square, result.mean_a);
+    const double texels = values / 3.0;
+    result.relative_rmse = relative(std::sqrt(sums.luminance_squares / texels), sums.luminance_a / texels);
     return result;
 }
 
