@@ -22,6 +22,24 @@
 namespace vkbake {
 namespace {
 
+/// Mixes light across creases and pads; `creases`: of each page.
+void finish_maps(const Device& device, const std::vector<std::vector<CreaseTexel>>& creases, StageClock& clock,
+                 Bake& bake) {
+    const std::size_t pages = bake.light_maps.size();
+    for (std::size_t page = 0; page < pages; ++page) {
+        clock.begin_page(page, pages);
+        LightMap& map = bake.light_maps[page];
+        const auto pad = [&](Image& image) {
+            return dilate(device.context(), image, {.rounds = bake.settings.padding});
+        };
+        map.statistics.filled_texels = clock.run("finish", [&] {
+            blend_creases(creases[page], map);
+            std::ranges::for_each(map.directional, pad);
+            return pad(map.image);
+        });
+    }
+}
+
 Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, const Device& device,
                 const Progress& progress) {
     Bake bake{.settings = settings, .device = device.name(), .sky = sky.name, .notes = scene.notes};
@@ -96,16 +114,7 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
         add_probes(scene, tracer, draw, clock, bake);
     }
     geometry = {}; // two thirds of the page's memory, which the next steps need
-    for (std::size_t page = 0; page < pages; ++page) {
-        clock.begin_page(page, pages);
-        LightMap& map = bake.light_maps[page];
-        const auto pad = [&](Image& image) { return dilate(device.context(), image, {.rounds = settings.padding}); };
-        map.statistics.filled_texels = clock.run("finish", [&] {
-            blend_creases(creases[page], map);
-            std::ranges::for_each(map.directional, pad);
-            return pad(map.image);
-        });
-    }
+    finish_maps(device, creases, clock, bake);
     bake.stages = clock.seconds();
     return bake;
 }
