@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <optional>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "base/percentile.hpp"
+#include "trace/known_light.hpp"
 
 namespace vkbake {
 
@@ -32,7 +33,8 @@ void add_error(const LightMap& gathered, const KnownLight& known, LightMap& map)
 
 } // namespace
 
-void add_bounce(const LightMap& gathered, const std::optional<KnownLight>& before, LightMap& map) {
+void add_bounce(const LightMap& gathered, LightMap& map) {
+    const std::optional<KnownLight> before = known_light(map);
     for (std::size_t texel = 0; texel < map.image.texels.size(); ++texel) {
         map.image.texels[texel] += glm::vec4(glm::vec3(gathered.image.texels[texel]), 0.0F);
     }

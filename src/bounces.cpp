@@ -11,6 +11,7 @@
 #include "material/color_texture.hpp"
 #include "material/surface_colors.hpp"
 #include "trace/directional_map.hpp"
+#include "trace/known_light.hpp"
 #include "trace/surface_light.hpp"
 
 namespace vkbake {
@@ -108,12 +109,11 @@ SentLight add_bounces(const Scene& scene, const Tracer& tracer,
         std::vector<LeavingLight> next;
         for (std::size_t page = 0; page < pages; ++page) {
             clock.begin_page((bounce - 1) * pages + page, bake.settings.bounces * pages);
-            const std::optional<KnownLight> before = known_light(bake.light_maps[page]);
             const LightMap gathered = clock.run("bounces", [&] {
-                const GatherOptions options{emitters ? &*emitters : nullptr, before};
+                const GatherOptions options{emitters ? &*emitters : nullptr, known_light(bake.light_maps[page])};
                 return tracer.gather(draw(page), light, bounce, options, clock.trace_progress("bounces"));
             });
-            add_bounce(gathered, before, bake.light_maps[page]);
+            add_bounce(gathered, bake.light_maps[page]);
             next.push_back(leaving(gathered.image, colors[page], false));
             if (emitters) {
                 next[page].sought = next[page].radiance; // what small lamps light beside them is small and bright too

@@ -81,7 +81,7 @@ std::string to_json(const Comparison& comparison) {
                        {"not_finite", comparison.not_finite},
                        {"root_mean_square", comparison.root_mean_square},
                        {"relative_root_mean_square", comparison.relative_root_mean_square},
-                       {"relative_rmse", comparison.relative_rmse},
+                       {"relative_luminance_rmse", comparison.relative_luminance_rmse},
                        {"mean_a", comparison.mean_a},
                        {"mean_b", comparison.mean_b},
                        {"maximum", comparison.maximum},

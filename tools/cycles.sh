@@ -44,7 +44,7 @@ bake() { # NAME LIGHT RAYS SEED
 map_of() { ls "$work/$1"/lightmaps/*.exr; }
 error_of() { # MAP REFERENCE
     build/release/src/cli/vkbake compare "$2" "$1" --json |
-        python3 -c 'import json, sys; print(json.load(sys.stdin)["relative_rmse"])'
+        python3 -c 'import json, sys; print(json.load(sys.stdin)["relative_luminance_rmse"])'
 }
 seconds_of() { # COMMAND…
     local start

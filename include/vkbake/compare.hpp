@@ -17,9 +17,9 @@ struct Comparison {
     std::uint64_t not_finite = 0;           ///< texels left out because a value of either is NaN or infinite
     double root_mean_square = 0.0;          ///< of the differences of all channels
     double relative_root_mean_square = 0.0; ///< root_mean_square ÷ mean of A's channels; 0 where both are 0
-    double relative_rmse = 0.0; ///< of luminance (Rec. 709), ÷ its mean in A: as MapError and Settings::target_error
-                                ///< have it; 0 where both are 0
-    double mean_a = 0.0;        ///< of all channels
+    double relative_luminance_rmse = 0.0; ///< of luminance (Rec. 709), ÷ its mean in A: as MapError::relative_rmse and
+                                          ///< Settings::target_error have it; 0 where both are 0
+    double mean_a = 0.0;                  ///< of all channels
     double mean_b = 0.0;
     double maximum = 0.0; ///< the largest absolute difference of a channel
     int maximum_x = 0;    ///< where it is
@@ -37,8 +37,8 @@ struct Comparison {
 
 /// How far a bake is from a better one of the same atlas, over the covered texels of all maps: luminance (Rec. 709).
 struct BakeError {
-    double relative_rmse = 0.0; ///< root-mean-square error ÷ the reference's mean, without what the reference's own
-                                ///< error adds, where it was estimated
+    double relative_rmse = 0.0; ///< root-mean-square error ÷ the reference's mean, without what the
+                                ///< reference's own error adds, where it was estimated
     double bias = 0.0;          ///< mean of bake − reference, ÷ the reference's mean
     double percentile_99 = 0.0; ///< of the absolute errors, ÷ the reference's mean
     double maximum = 0.0;       ///< of them, ÷ the reference's mean

@@ -34,9 +34,9 @@ void print_comparison(const Comparison& comparison) {
     }
     fmt::print("mean                   A {:.6g}, B {:.6g}\n", comparison.mean_a, comparison.mean_b);
     fmt::print("root-mean-square       {:.6g}\n", comparison.root_mean_square);
-    fmt::print("relative               {:.6g} (root-mean-square / mean of A)\n", comparison.relative_root_mean_square);
-    fmt::print("error                  {:.6g} (of luminance / its mean in A, as --target-error has it)\n",
-               comparison.relative_rmse);
+    fmt::print("relative               {:.6g} (root-mean-square / mean of A: what --max-error judges)\n",
+               comparison.relative_root_mean_square);
+    fmt::print("relative, luminance    {:.6g} (what --target-error asks for)\n", comparison.relative_luminance_rmse);
     fmt::print("maximum                {:.6g} at texel ({}, {})\n", comparison.maximum, comparison.maximum_x,
                comparison.maximum_y);
 }

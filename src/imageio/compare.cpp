@@ -93,7 +93,7 @@ Comparison compare(const Image& a, const Image& b) {
     result.root_mean_square = std::sqrt(sums.squares / values);
     result.relative_root_mean_square = relative(result.root_mean_square, result.mean_a);
     const double texels = values / 3.0;
-    result.relative_rmse = relative(std::sqrt(sums.luminance_squares / texels), sums.luminance_a / texels);
+    result.relative_luminance_rmse = relative(std::sqrt(sums.luminance_squares / texels), sums.luminance_a / texels);
     return result;
 }
 

@@ -119,7 +119,7 @@ TEST_F(Cli, ComparesAndJudges) {
     const Outcome json = run_vkbake({"compare", a, b, "--json"});
     EXPECT_EQ(json.out.front(), '{');
     EXPECT_NE(json.out.find("\"relative_root_mean_square\""), std::string::npos);
-    EXPECT_NE(json.out.find("\"relative_rmse\""), std::string::npos);
+    EXPECT_NE(json.out.find("\"relative_luminance_rmse\""), std::string::npos);
 }
 
 TEST_F(Cli, QuietSaysNothingAndJsonOnlyJson) {

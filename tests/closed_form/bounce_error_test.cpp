@@ -12,6 +12,7 @@
 #include "lit_on_host.hpp"
 #include "square_lamp.hpp"
 #include "trace/contrasts.hpp"
+#include "trace/known_light.hpp"
 
 namespace vkbake {
 namespace {
@@ -143,7 +144,7 @@ TEST(BounceError, ErrorsAddUpByTheirSquares) {
     EXPECT_NEAR(known.variance, 0.1 * 0.1, 1e-8);
     LightMap gathered = map_of({1.0F, 1.0F}, {0.4F, 0.2F}, 0.06); // of both: 0.18
     gathered.error->target_reached = false;
-    add_bounce(gathered, known_light(map), map);
+    add_bounce(gathered, map);
     EXPECT_EQ(map.image.texels[1], glm::vec4(4.0F, 4.0F, 4.0F, 1.0F));
     EXPECT_FLOAT_EQ(map.standard_error[0], 0.5F);
     EXPECT_FLOAT_EQ(map.standard_error[1], 0.2F);

@@ -16,6 +16,7 @@
 #include "host_bake.hpp"
 #include "lamp_scenes.hpp"
 #include "lit_on_host.hpp"
+#include "panorama.hpp"
 #include "same_bits.hpp"
 #include "trace/directional_map.hpp"
 #include "vkbake_light.h"
@@ -41,18 +42,7 @@ LightAbove light_of(const std::vector<Image>& maps, std::size_t texel, int chann
 
 /// a + b · ω, as a picture.
 Sky sloping_sky(double a, const glm::dvec3& b) {
-    constexpr int height = 128;
-    Image image{.width = 2 * height, .height = height, .texels = {}, .coverage = {}};
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < 2 * height; ++x) {
-            const double azimuth = (2.0 * (x + 0.5) / image.width - 1.0) * pi;
-            const double polar = (y + 0.5) / height * pi;
-            const glm::dvec3 direction(std::cos(azimuth) * std::sin(polar), std::cos(polar),
-                                       std::sin(azimuth) * std::sin(polar));
-            image.texels.emplace_back(glm::vec3(static_cast<float>(a + glm::dot(b, direction))), 1.0F);
-        }
-    }
-    return {.source = EquirectangularSky{std::move(image)}, .name = "linear"};
+    return test::panorama_of(128, [&](const glm::dvec3& direction) { return glm::dvec3(a + glm::dot(b, direction)); });
 }
 
 /// One texel in the middle of a square that faces `normal`, and what a test adds.

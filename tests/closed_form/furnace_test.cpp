@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "base/random.hpp"
 #include "base/sampling.hpp"
 #include "hand_made.hpp"
+#include "panorama.hpp"
 #include "statistics.hpp"
 #include "trace/tracer.hpp"
 
@@ -124,30 +124,11 @@ struct Linear {
 };
 const std::array<Linear, 3> linear_sky{{{1.0, {0.5, 0.0, 0.0}}, {1.5, {0.0, -1.0, 0.3}}, {2.0, {0.2, 0.4, -1.2}}}};
 
-glm::vec4 linear_radiance(const glm::dvec3& direction) {
-    return {linear_sky[0].along(direction), linear_sky[1].along(direction), linear_sky[2].along(direction), 1.0};
+glm::dvec3 linear_radiance(const glm::dvec3& direction) {
+    return {linear_sky[0].along(direction), linear_sky[1].along(direction), linear_sky[2].along(direction)};
 }
 
-using Radiance = std::function<glm::vec4(const glm::dvec3&)>; // of a unit direction
-
-Sky panorama_of(const Radiance& radiance) {
-    EquirectangularSky sky;
-    sky.image = {256, 128, {}, {}};
-    for (int y = 0; y < 128; ++y) {
-        for (int x = 0; x < 256; ++x) {
-            const double theta = (y + 0.5) / 128.0 * std::numbers::pi;
-            const double phi = ((x + 0.5) / 256.0 - 0.5) * 2.0 * std::numbers::pi;
-            sky.image.texels.push_back(
-                radiance({std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)}));
-        }
-    }
-    Sky named;
-    named.source = sky;
-    named.name = "panorama";
-    return named;
-}
-
-Sky cube_of(const Radiance& radiance) {
+Sky cube_of(const test::Radiance& radiance) {
     // Vulkan's table: for each face the directions of its centre, of its right border and of its lower border.
     const std::array<std::array<glm::dvec3, 3>, 6> axes{{{{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}},
                                                          {{{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}}},
@@ -162,8 +143,8 @@ Sky cube_of(const Radiance& radiance) {
             for (int x = 0; x < 128; ++x) {
                 const double s = 2.0 * (x + 0.5) / 128.0 - 1.0;
                 const double t = 2.0 * (y + 0.5) / 128.0 - 1.0;
-                sky.faces[face].texels.push_back(
-                    radiance(glm::normalize(axes[face][0] + s * axes[face][1] + t * axes[face][2])));
+                const glm::dvec3 direction = glm::normalize(axes[face][0] + s * axes[face][1] + t * axes[face][2]);
+                sky.faces[face].texels.emplace_back(glm::vec3(radiance(direction)), 1.0F);
             }
         }
     }
@@ -178,7 +159,7 @@ Sky cube_of(const Radiance& radiance) {
 /// with h = 2/128 and derivatives up to 2 twice, 1.2e-4 |b| on the cube, and as much in the ring beyond a face's
 /// border.
 TEST(LinearSky, GivesItsClosedFormAtTiltedNormals) {
-    for (const Sky& sky : {panorama_of(linear_radiance), cube_of(linear_radiance)}) {
+    for (const Sky& sky : {test::panorama_of(128, linear_radiance), cube_of(linear_radiance)}) {
         for (const glm::vec3& normal : normals()) {
             const LightMap map = trace_texels(facing(normal), sky, {}, 128);
             for (int channel = 0; channel < 3; ++channel) {
@@ -212,10 +193,10 @@ TEST(BrightSpot, LightsTheFacesThatLookThere) {
                 direction[axis] = ((place >> axis) & 1) != 0 ? length : -length;
             }
             direction = glm::normalize(direction);
-            const Radiance spot = [&](const glm::dvec3& towards) {
-                return glm::vec4(glm::dot(towards, direction) > std::cos(0.12) ? 1.0F : 0.0F);
+            const test::Radiance spot = [&](const glm::dvec3& towards) {
+                return glm::dvec3(glm::dot(towards, direction) > std::cos(0.12) ? 1.0 : 0.0);
             };
-            const Sky sky = cube ? cube_of(spot) : panorama_of(spot);
+            const Sky sky = cube ? cube_of(spot) : test::panorama_of(128, spot);
             for (int face = 0; face < 6; ++face) {
                 glm::vec3 normal(0.0F);
                 normal[face / 2] = face % 2 == 0 ? 1.0F : -1.0F;

@@ -14,6 +14,7 @@
 #include "host_bake.hpp"
 #include "lamp_scenes.hpp"
 #include "lit_on_host.hpp"
+#include "panorama.hpp"
 #include "vkbake_light.h"
 
 namespace vkbake {
@@ -42,18 +43,9 @@ Scene with_probe(Scene scene, const glm::dvec3& position) {
 }
 
 Sky quadratic_sky() {
-    constexpr int height = 128;
-    Image image{.width = 2 * height, .height = height, .texels = {}, .coverage = {}};
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < 2 * height; ++x) {
-            const double azimuth = (2.0 * (x + 0.5) / image.width - 1.0) * test::pi;
-            const double polar = (y + 0.5) / height * test::pi;
-            const glm::dvec3 d(std::cos(azimuth) * std::sin(polar), std::cos(polar),
-                               std::sin(azimuth) * std::sin(polar));
-            image.texels.emplace_back(1.0 + 0.5 * d.x, 2.0 + d.y - 0.5 * d.z, 1.0 + 0.75 * d.x * d.z, 1.0);
-        }
-    }
-    return {.source = EquirectangularSky{std::move(image)}, .name = "quadratic"};
+    return test::panorama_of(128, [](const glm::dvec3& d) {
+        return glm::dvec3(1.0 + 0.5 * d.x, 2.0 + d.y - 0.5 * d.z, 1.0 + 0.75 * d.x * d.z);
+    });
 }
 
 TEST(Probes, ASkyOfTwoBandsIsExact) {

@@ -1,4 +1,5 @@
 // --blend-creases through a whole bake.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "device.hpp"
+#include "panorama.hpp"
 #include "roof.hpp"
 #include "vkbake/vkbake.hpp"
 
@@ -15,18 +17,8 @@ namespace {
 constexpr std::size_t texel_count = std::size_t{roof_side} * roof_side;
 
 Sky sloping_sky() {
-    constexpr int height = 64;
-    Image image{.width = 2 * height, .height = height, .texels = {}, .coverage = {}};
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < 2 * height; ++x) {
-            const double azimuth = (2.0 * (x + 0.5) / image.width - 1.0) * std::numbers::pi;
-            const double polar = (y + 0.5) / height * std::numbers::pi;
-            const glm::dvec3 direction(std::cos(azimuth) * std::sin(polar), std::cos(polar),
-                                       std::sin(azimuth) * std::sin(polar));
-            image.texels.emplace_back(glm::vec3(static_cast<float>(1.0 + glm::dot(sky_slope, direction))), 1.0F);
-        }
-    }
-    return {.source = EquirectangularSky{std::move(image)}, .name = "sloping"};
+    return panorama_of(64,
+                       [](const glm::dvec3& direction) { return glm::dvec3(1.0 + glm::dot(sky_slope, direction)); });
 }
 
 LightMap bake_roof(Switch blend_creases) {

@@ -15,6 +15,7 @@
 
 #include "device.hpp"
 #include "imageio/encode.hpp"
+#include "panorama.hpp"
 #include "vkbake/vkbake.hpp"
 
 namespace {
@@ -168,17 +169,8 @@ private:
 TEST(Render, BentNormalsTakeTheLightOfTheSkyWhereTheyPoint) {
     // Radiance 1 + d·(1, 0, 0) over a panorama whose middle is +X. On a surface that looks along n it makes
     // E / π = 1 + 2/3 n·(1, 0, 0): Lambert's cosine halves the mean and takes two thirds of what is linear.
-    vkbake::EquirectangularSky linear;
-    linear.image = {.width = 128, .height = 64, .texels = {}, .coverage = {}};
-    for (int row = 0; row < 64; ++row) {
-        for (int column = 0; column < 128; ++column) {
-            const double azimuth = 2.0 * std::numbers::pi * ((column + 0.5) / 128.0 - 0.5);
-            const double x = std::sin(std::numbers::pi * (row + 0.5) / 64.0) * std::cos(azimuth);
-            linear.image.texels.emplace_back(glm::vec3(static_cast<float>(1.0 + x)), 1.0F);
-        }
-    }
-    vkbake::Sky sky;
-    sky.source = linear;
+    vkbake::Sky sky =
+        vkbake::test::panorama_of(64, [](const glm::dvec3& towards) { return glm::dvec3(1.0 + towards.x); });
     sky.intensity = 3.0; // shows in nothing: the picture is exposed by its light
     const Folder folder;
     Image bent{.width = 2, .height = 1, .texels = {}, .coverage = {}};

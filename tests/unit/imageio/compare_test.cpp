@@ -33,12 +33,12 @@ TEST(Compare, NumbersByHand) {
 TEST(Compare, LuminanceByHand) {
     const Image a{2, 1, {{2, 2, 2, 1}, {4, 4, 4, 1}}, {}};
     const Image bluer{2, 1, {{2, 2, 3, 1}, {4, 4, 4, 1}}, {}};
-    EXPECT_NEAR(compare(a, bluer).relative_rmse, 0.0722 / std::sqrt(2.0) / 3.0, 1e-12);
+    EXPECT_NEAR(compare(a, bluer).relative_luminance_rmse, 0.0722 / std::sqrt(2.0) / 3.0, 1e-12);
     const Image balanced{2, 1, {{2.0F + 0.7152F, 2.0F - 0.2126F, 2, 1}, {4, 4, 4, 1}}, {}}; // as bright
-    EXPECT_NEAR(compare(a, balanced).relative_rmse, 0.0, 1e-7);
+    EXPECT_NEAR(compare(a, balanced).relative_luminance_rmse, 0.0, 1e-7);
     EXPECT_GT(compare(a, balanced).relative_root_mean_square, 0.05);
     const Image brighter{2, 1, {{3, 3, 3, 1}, {2, 2, 2, 1}}, {}};
-    EXPECT_NEAR(compare(a, brighter).relative_rmse, std::sqrt((1.0 + 4.0) / 2.0) / 3.0, 1e-12);
+    EXPECT_NEAR(compare(a, brighter).relative_luminance_rmse, std::sqrt((1.0 + 4.0) / 2.0) / 3.0, 1e-12);
 }
 
 TEST(Compare, CoverageStandsAboveAlphaAndAlphaCountsWhereThereIsNone) {
@@ -73,10 +73,10 @@ TEST(Compare, LeavesOutAndCountsWhatIsNotFinite) {
 TEST(Compare, RelativeErrorOfBlack) {
     const Image black = filled(2, 2, {0, 0, 0, 1});
     EXPECT_EQ(compare(black, black).relative_root_mean_square, 0.0);
-    EXPECT_EQ(compare(black, black).relative_rmse, 0.0);
+    EXPECT_EQ(compare(black, black).relative_luminance_rmse, 0.0);
     const Comparison result = compare(black, filled(2, 2, glm::vec4(1.0F)));
     EXPECT_EQ(result.relative_root_mean_square, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(result.relative_rmse, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(result.relative_luminance_rmse, std::numeric_limits<double>::infinity());
 }
 
 TEST(Compare, RefusesWhatHasNothingInCommon) {
