@@ -1,12 +1,14 @@
 #include "atlas/kept_uvs.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 
 #include "atlas/edge_graph.hpp"
 #include "atlas/predicates.hpp"
 #include "atlas/triangle_tree.hpp"
+#include "base/parallel.hpp"
 
 namespace vkbake {
 
@@ -73,20 +75,27 @@ UvFaults read_light_map_uvs(const Scene& scene, const Surface& surface, std::spa
 
 std::optional<std::pair<std::uint32_t, std::uint32_t>> first_overlap(std::span<const glm::vec2> flat,
                                                                      std::span<const std::uint32_t> triangles) {
-    const TriangleTree tree(flat, {triangles.begin(), triangles.end()});
-    std::vector<std::uint32_t> overlapping;
-    for (const std::uint32_t triangle : triangles) {
-        tree.visit_overlaps(triangle, [&](std::uint32_t other) {
-            overlapping.push_back(other);
-            return true;
-        });
-        if (!overlapping.empty()) {
-            const auto second =
-                std::find_first_of(triangles.begin(), triangles.end(), overlapping.begin(), overlapping.end());
-            return std::pair(triangle, *second);
+    const TriangleTree tree(flat, triangles);
+    std::atomic<std::size_t> first = triangles.size();
+    parallel_ranges(triangles.size(), 1024, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < std::min(end, first.load()); ++i) {
+            if (tree.overlaps_any(triangles[i])) {
+                std::size_t known = first;
+                while (i < known && !first.compare_exchange_weak(known, i)) {
+                }
+            }
         }
+    });
+    if (first == triangles.size()) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    std::vector<std::uint32_t> overlapping;
+    tree.visit_overlaps(triangles[first], [&](std::uint32_t other) {
+        overlapping.push_back(other);
+        return true;
+    });
+    return std::pair(triangles[first],
+                     *std::find_first_of(triangles.begin(), triangles.end(), overlapping.begin(), overlapping.end()));
 }
 
 std::vector<std::vector<std::uint32_t>> uv_islands(std::span<const glm::vec2> flat,

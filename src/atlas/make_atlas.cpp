@@ -1,6 +1,7 @@
 #include "atlas/make_atlas.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -111,6 +112,13 @@ public:
                 find_charts(object);
             }
         }
+        parallel_ranges(m_objects.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t object = begin; object < end; ++object) {
+                if (m_objects[object].kept) {
+                    find_kept_charts(m_objects[object], wanted_density(static_cast<std::uint32_t>(object)));
+                }
+            }
+        });
         if (m_settings.layout == Layout::object) {
             lay_out_objects();
         } else if (!keep_one_atlas()) {
@@ -150,13 +158,14 @@ private:
                                 : make_polypacks(m_surface, object.triangles, m_flat);
             for (Chart& chart : object.charts) {
                 chart.scale *= wanted_density(index);
-                name_chart(chart.triangles);
             }
-            return;
+            name_charts(object.charts.size(), [&](std::size_t i) { return std::span(object.charts[i].triangles); });
         }
-        for (const auto& island : uv_islands(m_flat, object.triangles)) {
-            name_chart(island);
-        }
+    }
+
+    void find_kept_charts(Object& object, double density) {
+        const auto islands = uv_islands(m_flat, object.triangles);
+        name_charts(islands.size(), [&](std::size_t i) { return std::span(islands[i]); });
         object.charts.push_back(bounded_chart(object.triangles, m_flat));
         double area = 0.0;
         double uv_area = 0.0;
@@ -165,7 +174,7 @@ private:
             uv_area += flat_area(m_flat, triangle);
         }
         // Without UV area there is no surface either (else the UVs would not do): a texel is enough.
-        object.charts.front().scale = uv_area > 0.0 ? std::sqrt(area / uv_area) * wanted_density(index) : 0.0;
+        object.charts.front().scale = uv_area > 0.0 ? std::sqrt(area / uv_area) * density : 0.0;
     }
 
     [[nodiscard]] GrowthLimits growth_limits(std::uint32_t index) const {
@@ -214,15 +223,19 @@ private:
         return instance < m_scene.instances.size() ? m_scene.instances[instance].density : 1.0;
     }
 
-    void name_chart(std::span<const std::uint32_t> triangles) {
-        for (const std::uint32_t triangle : triangles) {
-            m_atlas.chart[triangle] = m_atlas.chart_count;
+    /// In any order: number_charts gives them their numbers.
+    void name_charts(std::size_t count, const auto& triangles_of) {
+        const std::uint32_t first = m_chart_names.fetch_add(static_cast<std::uint32_t>(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            for (const std::uint32_t triangle : triangles_of(i)) {
+                m_atlas.chart[triangle] = first + static_cast<std::uint32_t>(i);
+            }
         }
-        ++m_atlas.chart_count;
     }
 
     /// Numbers charts in the order of their first triangles, so that the numbers do not depend on the order of objects.
     void number_charts() {
+        m_atlas.chart_count = m_chart_names;
         std::vector<std::uint32_t> numbers(m_atlas.chart_count, no_chart);
         std::uint32_t next = 0;
         for (const std::uint32_t triangle : m_surface.canonical_order) {
@@ -254,11 +267,17 @@ private:
         return static_cast<int>(std::clamp(std::ceil(texels), 1.0, double{greatest_side}));
     }
 
+    /// Of those whose UVs have area.
     [[nodiscard]] bool any_mesh_twice() const {
         std::set<std::uint32_t> meshes;
-        return std::ranges::any_of(m_surface.objects, [&](const SurfaceObject& object) {
-            return !meshes.insert(m_scene.instances[object.instance].mesh).second;
-        });
+        for (std::size_t index = 0; index < m_objects.size(); ++index) {
+            const std::vector<Chart>& charts = m_objects[index].charts;
+            if (!charts.empty() && charts.front().scale > 0.0 &&
+                !meshes.insert(m_scene.instances[m_surface.objects[index].instance].mesh).second) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// Where the scene came as one atlas it stays as it is.
@@ -268,8 +287,8 @@ private:
                 return false;
             }
         }
-        if (m_settings.uv == UvSource::trust ? any_mesh_twice()
-                                             : first_overlap(m_flat, m_surface.canonical_order).has_value()) {
+        if (any_mesh_twice() ||
+            (m_settings.uv != UvSource::trust && first_overlap(m_flat, m_surface.canonical_order))) {
             return false;
         }
         int side = 1;
@@ -375,6 +394,7 @@ private:
     std::vector<Object> m_objects;
     std::map<std::uint32_t, UvFaults> m_faults; ///< by mesh
     ObjectNotes m_notes;
+    std::atomic<std::uint32_t> m_chart_names = 0;
     Atlas m_atlas;
 };
 

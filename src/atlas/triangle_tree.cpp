@@ -1,9 +1,8 @@
 #include "atlas/triangle_tree.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
-#include <utility>
+
+#include <glm/common.hpp>
 
 namespace vkbake {
 
@@ -13,61 +12,51 @@ constexpr std::uint32_t leaf_size = 4;
 
 } // namespace
 
-TriangleTree::TriangleTree(std::span<const glm::vec2> corners, std::vector<std::uint32_t> triangles)
-    : m_corners(corners), m_triangles(std::move(triangles)) {
-    std::erase_if(m_triangles, [&](std::uint32_t triangle) { return orientation(corners_of(triangle)) == 0; });
-    if (m_triangles.empty()) {
-        return;
+TriangleTree::TriangleTree(std::span<const glm::vec2> corners, std::span<const std::uint32_t> triangles)
+    : m_corners(corners) {
+    m_entries.reserve(triangles.size());
+    for (const std::uint32_t triangle : triangles) {
+        const FlatTriangle t = corners_of(triangle);
+        if (orientation(t) != 0) {
+            m_entries.push_back({glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2]), triangle});
+        }
     }
-    m_groups.assign(m_triangles.size(), no_group);
-    m_leaves.assign(m_triangles.size(), 0);
-    m_nodes.reserve(2 * m_triangles.size() / leaf_size + 2);
-    build(0, static_cast<std::uint32_t>(m_triangles.size()), 0);
-
-    const auto [least, greatest] = std::minmax_element(m_triangles.begin(), m_triangles.end());
-    m_first = *least;
-    m_places.assign(std::size_t{*greatest} - m_first + 1, no_group);
-    for (std::uint32_t i = 0; i < m_triangles.size(); ++i) {
-        m_places[m_triangles[i] - m_first] = i;
+    if (!m_entries.empty()) {
+        m_nodes.reserve(2 * m_entries.size() / leaf_size + 2);
+        build(0, static_cast<std::uint32_t>(m_entries.size()), 0);
     }
 }
 
 std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::uint32_t parent) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    glm::vec2 lower{infinity};
-    glm::vec2 upper{-infinity};
-    glm::vec2 centre_lower{infinity};
-    glm::vec2 centre_upper{-infinity};
-    const auto centre = [&](std::uint32_t triangle, int axis) {
-        const FlatTriangle t = corners_of(triangle);
-        const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
-        return 0.5F * low + 0.5F * high;
-    };
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const FlatTriangle t = corners_of(m_triangles[i]);
-        for (int axis = 0; axis < 2; ++axis) {
-            lower[axis] = std::min({lower[axis], t[0][axis], t[1][axis], t[2][axis]});
-            upper[axis] = std::max({upper[axis], t[0][axis], t[1][axis], t[2][axis]});
-            const float middle = centre(m_triangles[i], axis);
-            centre_lower[axis] = std::min(centre_lower[axis], middle);
-            centre_upper[axis] = std::max(centre_upper[axis], middle);
-        }
-    }
-
     const auto index = static_cast<std::uint32_t>(m_nodes.size());
-    m_nodes.push_back({lower, upper, parent, 0, begin, end, no_group});
-    if (end - begin <= leaf_size) {
-        std::fill(m_leaves.begin() + begin, m_leaves.begin() + end, index);
+    m_nodes.push_back({.parent = parent, .begin = begin, .end = end});
+    const std::span<Entry> own = std::span(m_entries).subspan(begin, end - begin);
+    if (own.size() <= leaf_size) {
+        m_nodes[index].lower = own[0].lower;
+        m_nodes[index].upper = own[0].upper;
+        for (const Entry& entry : own.subspan(1)) {
+            m_nodes[index].lower = glm::min(m_nodes[index].lower, entry.lower);
+            m_nodes[index].upper = glm::max(m_nodes[index].upper, entry.upper);
+        }
         return index;
     }
-    const glm::vec2 extent = centre_upper - centre_lower;
-    const int axis = extent.x >= extent.y ? 0 : 1;
+    const auto centre = [](const Entry& entry) { return 0.5F * entry.lower + 0.5F * entry.upper; };
+    glm::vec2 least = centre(own[0]);
+    glm::vec2 greatest = least;
+    for (const Entry& entry : own) {
+        least = glm::min(least, centre(entry));
+        greatest = glm::max(greatest, centre(entry));
+    }
+    const int axis = greatest.x - least.x >= greatest.y - least.y ? 0 : 1;
     const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(m_triangles.begin() + begin, m_triangles.begin() + middle, m_triangles.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) { return centre(a, axis) < centre(b, axis); });
+    std::nth_element(own.begin(), own.begin() + (middle - begin), own.end(),
+                     [&](const Entry& a, const Entry& b) { return centre(a)[axis] < centre(b)[axis]; });
     build(begin, middle, index);
     const std::uint32_t second = build(middle, end, index);
-    m_nodes[index].second = second;
+    Node& node = m_nodes[index];
+    node.second = second;
+    node.lower = glm::min(m_nodes[index + 1].lower, m_nodes[second].lower);
+    node.upper = glm::max(m_nodes[index + 1].upper, m_nodes[second].upper);
     return index;
 }
 
@@ -92,7 +81,34 @@ bool TriangleTree::may_overlap(const FlatTriangle& triangle, int turn, const Nod
     return true;
 }
 
+void TriangleTree::prepare_marks() {
+    m_groups.assign(m_entries.size(), no_group);
+    m_leaves.resize(m_entries.size());
+    std::uint32_t greatest = 0;
+    m_first = no_group;
+    for (std::uint32_t index = 0; index < m_nodes.size(); ++index) {
+        const Node& node = m_nodes[index];
+        if (node.second == 0) {
+            std::fill(m_leaves.begin() + node.begin, m_leaves.begin() + node.end, index);
+        }
+    }
+    for (const Entry& entry : m_entries) {
+        m_first = std::min(m_first, entry.triangle);
+        greatest = std::max(greatest, entry.triangle);
+    }
+    m_places.assign(std::size_t{greatest} - m_first + 1, no_group);
+    for (std::uint32_t i = 0; i < m_entries.size(); ++i) {
+        m_places[m_entries[i].triangle - m_first] = i;
+    }
+}
+
 void TriangleTree::mark(std::uint32_t triangle, std::uint32_t group) {
+    if (m_entries.empty()) {
+        return;
+    }
+    if (m_groups.empty()) {
+        prepare_marks();
+    }
     if (triangle < m_first || triangle - m_first >= m_places.size() || m_places[triangle - m_first] == no_group) {
         return;
     }

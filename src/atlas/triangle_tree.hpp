@@ -1,6 +1,7 @@
 // Finds the triangles of a plane that overlap a given one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,7 +22,7 @@ public:
     static constexpr std::uint32_t no_group = 0xFFFFFFFFU;
 
     /// Triangle t has the corners 3·t … 3·t + 2 of `corners`, which must outlive the tree. `triangles`: those to store.
-    TriangleTree(std::span<const glm::vec2> corners, std::vector<std::uint32_t> triangles);
+    TriangleTree(std::span<const glm::vec2> corners, std::span<const std::uint32_t> triangles);
 
     /// Calls visit(other) for each stored triangle that overlaps `triangle` (itself, if it is stored, is left out)
     /// until it returns false. The order is not defined.
@@ -51,17 +52,23 @@ public:
     }
 
 private:
+    struct Entry {
+        glm::vec2 lower;
+        glm::vec2 upper;
+        std::uint32_t triangle;
+    };
     struct Node {
         glm::vec2 lower{0.0F};
         glm::vec2 upper{0.0F};
         std::uint32_t parent = 0;
         std::uint32_t second = 0; ///< the second child; the first is the next node. 0: a leaf
-        std::uint32_t begin = 0;  ///< a leaf's triangles: m_triangles[begin, end)
+        std::uint32_t begin = 0;  ///< what lies below: m_entries[begin, end)
         std::uint32_t end = 0;
         std::uint32_t group = no_group; ///< the last group that something below was marked with
     };
 
     std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::uint32_t parent);
+    void prepare_marks();
     [[nodiscard]] static bool may_overlap(const FlatTriangle& triangle, int turn, const Node& node);
 
     template<typename Visit>
@@ -71,21 +78,21 @@ private:
         if (turn == 0 || m_nodes.empty()) {
             return;
         }
-        std::vector<std::uint32_t> open{0};
-        while (!open.empty()) {
-            const std::uint32_t index = open.back();
+        std::array<std::uint32_t, 33> open{0}; // halves of 2³² triangles; one waits at each depth
+        std::size_t count = 1;
+        while (count > 0) {
+            const std::uint32_t index = open[--count];
             const Node& node = m_nodes[index];
-            open.pop_back();
             if ((group != no_group && node.group != group) || !may_overlap(asked, turn, node)) {
                 continue;
             }
             if (node.second != 0) {
-                open.push_back(node.second);
-                open.push_back(index + 1);
+                open[count++] = node.second;
+                open[count++] = index + 1;
                 continue;
             }
             for (std::uint32_t i = node.begin; i < node.end; ++i) {
-                const std::uint32_t other = m_triangles[i];
+                const std::uint32_t other = m_entries[i].triangle;
                 if (other != triangle && (group == no_group || m_groups[i] == group) &&
                     triangles_overlap(asked, corners_of(other)) && !visit(other)) {
                     return;
@@ -95,12 +102,13 @@ private:
     }
 
     std::span<const glm::vec2> m_corners;
-    std::vector<std::uint32_t> m_triangles;
-    std::vector<std::uint32_t> m_groups; ///< one an entry of m_triangles
-    std::vector<std::uint32_t> m_leaves; ///< one an entry of m_triangles: its leaf
-    std::vector<std::uint32_t> m_places; ///< by triangle − m_first: its entry in m_triangles, or no_group
-    std::uint32_t m_first = 0;           ///< the least triangle that is stored
+    std::vector<Entry> m_entries;
     std::vector<Node> m_nodes;
+    // Empty until something is marked.
+    std::vector<std::uint32_t> m_groups; ///< one an entry
+    std::vector<std::uint32_t> m_leaves; ///< one an entry: its leaf
+    std::vector<std::uint32_t> m_places; ///< by triangle − m_first: its entry, or no_group
+    std::uint32_t m_first = 0;           ///< the least triangle that is stored
 };
 
 } // namespace vkbake
