@@ -17,10 +17,23 @@ inline constexpr std::size_t header_size = 12;
 inline constexpr std::size_t chunk_header_size = 8;
 inline constexpr std::size_t largest_size = 0xFFFFFFFF; // lengths are 32 bits wide
 
-/// Of the whole container, in bytes; a chunk for `binary` bytes only where there are any.
-[[nodiscard]] constexpr std::size_t size_of(std::size_t json, std::size_t binary) {
-    const auto chunk = [](std::size_t size) { return chunk_header_size + (size + 3) / 4 * 4; };
-    return header_size + chunk(json) + (binary == 0 ? 0 : chunk(binary));
+[[nodiscard]] constexpr std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
+
+template<typename Byte>
+[[nodiscard]] std::size_t padded_size(std::span<const std::span<const Byte>> parts) {
+    std::size_t size = 0;
+    for (const std::span<const Byte>& part : parts) {
+        size += padded(part.size());
+    }
+    return size;
+}
+
+/// Of the whole container, in bytes, as `make` makes it.
+template<typename Byte>
+[[nodiscard]] std::size_t size_of(std::string_view json, std::span<const std::span<const Byte>> binary) {
+    const std::size_t binary_size = padded_size(binary);
+    return header_size + chunk_header_size + padded(json.size()) +
+           (binary_size == 0 ? 0 : chunk_header_size + binary_size);
 }
 
 template<typename Byte>
@@ -31,27 +44,30 @@ void append_word(std::vector<Byte>& bytes, std::size_t word) {
 }
 
 template<typename Byte>
-void append_chunk(std::vector<Byte>& bytes, std::uint32_t type, std::span<const Byte> data, char padding) {
-    const std::size_t padded = (data.size() + 3) / 4 * 4;
-    append_word(bytes, padded);
-    append_word(bytes, type);
+void append_padded(std::vector<Byte>& bytes, std::span<const Byte> data, char padding) {
     bytes.insert(bytes.end(), data.begin(), data.end());
-    bytes.insert(bytes.end(), padded - data.size(), static_cast<Byte>(padding));
+    bytes.insert(bytes.end(), padded(data.size()) - data.size(), static_cast<Byte>(padding));
 }
 
-/// A container of both; the binary chunk is left out where `binary` is empty. Not larger than largest_size.
-/// Byte: std::byte or std::uint8_t.
+/// A container of both: the parts of the binary chunk, each at a multiple of 4 bytes; no such chunk where they are
+/// empty. Not larger than largest_size. Byte: std::byte or std::uint8_t.
 template<typename Byte>
-[[nodiscard]] std::vector<Byte> make(std::string_view json, std::span<const Byte> binary) {
-    const std::size_t size = size_of(json.size(), binary.size());
+[[nodiscard]] std::vector<Byte> make(std::string_view json, std::span<const std::span<const Byte>> binary) {
+    const std::size_t size = size_of(json, binary);
     std::vector<Byte> bytes;
     bytes.reserve(size);
     append_word(bytes, magic);
     append_word(bytes, version);
     append_word(bytes, size);
-    append_chunk(bytes, json_type, std::span(reinterpret_cast<const Byte*>(json.data()), json.size()), ' ');
-    if (!binary.empty()) {
-        append_chunk(bytes, binary_type, binary, '\0');
+    append_word(bytes, padded(json.size()));
+    append_word(bytes, json_type);
+    append_padded(bytes, std::span(reinterpret_cast<const Byte*>(json.data()), json.size()), ' ');
+    if (const std::size_t binary_size = padded_size(binary); binary_size > 0) {
+        append_word(bytes, binary_size);
+        append_word(bytes, binary_type);
+        for (const std::span<const Byte>& part : binary) {
+            append_padded(bytes, part, '\0');
+        }
     }
     return bytes;
 }

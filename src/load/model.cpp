@@ -1,6 +1,7 @@
 #include "load/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "base/glb.hpp"
@@ -27,7 +28,8 @@ std::string static_part(const std::string& json) {
 } // namespace
 
 Model make_model(const Context& context, const SourceDocument& source) {
-    const std::vector<std::byte> file = glb::make<std::byte>(static_part(source.json), source.binary);
+    const std::array binary{std::span<const std::byte>(source.binary)};
+    const std::vector<std::byte> file = glb::make<std::byte>(static_part(source.json), binary);
     Model model;
     model.binary = source.binary;
     tinygltf::TinyGLTF loader;

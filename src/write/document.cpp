@@ -8,6 +8,7 @@
 
 #include "base/glb.hpp"
 #include "vkbake/error.hpp"
+#include "write/hash.hpp"
 
 namespace vkbake {
 namespace {
@@ -16,12 +17,15 @@ namespace {
     throw Error(ErrorKind::bad_input, "the scene's glTF document: " + what + "; load the scene again");
 }
 
-std::vector<std::uint8_t> bytes_of(const void* data, std::size_t size) {
-    std::vector<std::uint8_t> bytes(size);
-    if (size > 0) {
-        std::memcpy(bytes.data(), data, size);
-    }
-    return bytes;
+template<typename Value>
+std::vector<std::uint8_t> bytes_of(std::span<const Value> values) {
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(values.data());
+    return {bytes, bytes + values.size_bytes()};
+}
+
+template<typename Value>
+std::string hash_of_values(std::span<const Value> values) {
+    return hash_of({reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()});
 }
 
 /// Throws Error{bad_input} for a type that glTF does not have.
@@ -107,8 +111,6 @@ void for_each_accessor_reference(Json& json, const Visit& visit) {
                    }));
 }
 
-void pad(std::vector<std::uint8_t>& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
-
 } // namespace
 
 GltfDocument::GltfDocument(const SourceDocument& source)
@@ -119,16 +121,15 @@ GltfDocument::GltfDocument(const SourceDocument& source)
     }
 }
 
-std::size_t GltfDocument::add_view(std::span<const std::uint8_t> bytes, ViewTarget target, std::size_t stride) {
-    pad(m_added);
-    Json view{{"buffer", 1}, {"byteOffset", m_added.size()}, {"byteLength", bytes.size()}};
+std::size_t GltfDocument::add_view(std::vector<std::uint8_t> bytes, ViewTarget target, std::size_t stride) {
+    Json view{{"buffer", m_added.size() + 1}, {"byteOffset", 0}, {"byteLength", bytes.size()}};
     if (stride > 0) {
         view["byteStride"] = stride;
     }
     if (target != ViewTarget::none) {
         view["target"] = static_cast<int>(target);
     }
-    m_added.insert(m_added.end(), bytes.begin(), bytes.end());
+    m_added.push_back(std::move(bytes));
     json["bufferViews"].push_back(std::move(view));
     return json["bufferViews"].size() - 1;
 }
@@ -141,29 +142,28 @@ std::size_t GltfDocument::add_accessor(Json accessor) {
 std::size_t GltfDocument::add_indices(std::span<const std::uint32_t> indices, std::size_t vertex_count) {
     // 65535 itself is what restarts a primitive.
     const bool small = vertex_count <= 65535;
-    std::vector<std::uint8_t> bytes;
-    if (small) {
-        const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
-        bytes = bytes_of(narrow.data(), narrow.size() * sizeof(std::uint16_t));
-    } else {
-        bytes = bytes_of(indices.data(), indices.size_bytes());
+    const auto [known, is_new] = m_indices.try_emplace({small, hash_of_values(indices)}, 0);
+    if (is_new) {
+        const std::vector<std::uint16_t> narrow(indices.begin(), small ? indices.end() : indices.begin());
+        const std::size_t view = add_view(small ? bytes_of(std::span(narrow)) : bytes_of(indices), ViewTarget::indices);
+        known->second = add_accessor({{"bufferView", view},
+                                      {"componentType", small ? gltf::unsigned_short_type : gltf::unsigned_int_type},
+                                      {"count", indices.size()},
+                                      {"type", "SCALAR"}});
     }
-    const std::size_t view = add_view(bytes, ViewTarget::indices);
-    return add_accessor({{"bufferView", view},
-                         {"componentType", small ? gltf::unsigned_short_type : gltf::unsigned_int_type},
-                         {"count", indices.size()},
-                         {"type", "SCALAR"}});
+    return known->second;
 }
 
 std::size_t GltfDocument::add_uvs(std::span<const glm::vec2> uvs) {
     static_assert(sizeof(glm::vec2) == 8);
-    const std::size_t view = add_view(bytes_of(uvs.data(), uvs.size_bytes()), ViewTarget::vertices);
+    const std::size_t view = add_view(bytes_of(uvs), ViewTarget::vertices);
     return add_accessor(
         {{"bufferView", view}, {"componentType", gltf::float_type}, {"count", uvs.size()}, {"type", "VEC2"}});
 }
 
 std::span<const std::uint8_t> GltfDocument::view_bytes(const Json& view) const {
-    const std::span<const std::uint8_t> buffer = view.value("buffer", 0) == 1 ? m_added : m_source;
+    const auto number = view.value("buffer", std::size_t{0});
+    const std::span<const std::uint8_t> buffer = number == 0 ? m_source : m_added.at(number - 1);
     const std::size_t offset = view.value("byteOffset", std::size_t{0});
     const auto length = view.at("byteLength").get<std::size_t>();
     if (offset > buffer.size() || length > buffer.size() - offset) {
@@ -173,6 +173,14 @@ std::span<const std::uint8_t> GltfDocument::view_bytes(const Json& view) const {
 }
 
 std::size_t GltfDocument::gather(std::size_t index, std::span<const std::uint32_t> elements, bool bounds) {
+    const auto [known, is_new] = m_gathered.try_emplace({index, bounds, hash_of_values(elements)}, 0);
+    if (is_new) {
+        known->second = gather_anew(index, elements, bounds);
+    }
+    return known->second;
+}
+
+std::size_t GltfDocument::gather_anew(std::size_t index, std::span<const std::uint32_t> elements, bool bounds) {
     Json accessor = json.at("accessors").at(index);
     const gltf::ElementType type = type_of(accessor);
     const auto count = accessor.at("count").get<std::size_t>();
@@ -197,12 +205,12 @@ std::size_t GltfDocument::gather(std::size_t index, std::span<const std::uint32_
                         size);
         }
     }
-    accessor["bufferView"] = add_view(packed, ViewTarget::vertices, stride == size ? 0 : stride);
-    accessor["count"] = elements.size();
-    accessor.erase("byteOffset");
     if (bounds) {
         set_bounds(accessor, packed, type);
     }
+    accessor["bufferView"] = add_view(std::move(packed), ViewTarget::vertices, stride == size ? 0 : stride);
+    accessor["count"] = elements.size();
+    accessor.erase("byteOffset");
     return add_accessor(std::move(accessor));
 }
 
@@ -222,46 +230,45 @@ void GltfDocument::drop_unused_accessors() {
     accessors = std::move(kept);
 }
 
-std::vector<std::uint8_t> GltfDocument::drop_unused_views() {
+std::vector<std::span<const std::uint8_t>> GltfDocument::drop_unused_views() {
     Json views = std::move(json["bufferViews"]);
     json.erase("bufferViews");
     std::vector<bool> used(views.size(), false);
     for_each_member(json, "bufferView", [&](const Json& index) { used.at(index.get<std::size_t>()) = true; });
     std::vector<std::size_t> places(used.size());
-    std::vector<std::uint8_t> binary;
+    std::vector<std::span<const std::uint8_t>> binary;
+    std::size_t size = 0;
     Json kept = Json::array();
     for (std::size_t index = 0; index < used.size(); ++index) {
         places[index] = kept.size();
         if (!used[index]) {
             continue;
         }
-        const std::span<const std::uint8_t> bytes = view_bytes(views[index]);
-        pad(binary);
+        binary.push_back(view_bytes(views[index]));
         views[index]["buffer"] = 0;
-        views[index]["byteOffset"] = binary.size();
-        binary.insert(binary.end(), bytes.begin(), bytes.end());
+        views[index]["byteOffset"] = size;
+        size += glb::padded(binary.back().size());
         kept.push_back(std::move(views[index]));
     }
-    pad(binary);
     for_each_member(json, "bufferView", [&](Json& index) { index = places[index.get<std::size_t>()]; });
     json["bufferViews"] = std::move(kept);
+    json["buffers"] = Json::array();
+    if (size > 0) {
+        json["buffers"].push_back({{"byteLength", size}});
+    }
     return binary;
 }
 
 std::vector<std::uint8_t> GltfDocument::to_glb() {
     drop_unused_accessors();
-    const std::vector<std::uint8_t> binary = drop_unused_views();
-    json["buffers"] = Json::array();
-    if (!binary.empty()) {
-        json["buffers"].push_back({{"byteLength", binary.size()}});
-    }
+    const std::vector<std::span<const std::uint8_t>> binary = drop_unused_views();
     for (const char* name : {"accessors", "bufferViews", "buffers"}) {
         if (json[name].empty()) {
             json.erase(name); // glTF allows no empty arrays
         }
     }
     const std::string text = json.dump();
-    const std::size_t size = glb::size_of(text.size(), binary.size());
+    const std::size_t size = glb::size_of<std::uint8_t>(text, binary);
     if (size > glb::largest_size) {
         throw Error(ErrorKind::output, "the baked scene has " + std::to_string(size >> 20U) +
                                            " MiB, more than the 4 GiB that a GLB can hold; split the scene");

@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <map>
 #include <span>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -26,14 +29,15 @@ public:
     Json json;
 
     /// A view of bytes that start at a multiple of 4. Returns its index.
-    std::size_t add_view(std::span<const std::uint8_t> bytes, ViewTarget target, std::size_t stride = 0);
+    std::size_t add_view(std::vector<std::uint8_t> bytes, ViewTarget target, std::size_t stride = 0);
     std::size_t add_accessor(Json accessor);
-    /// Unsigned, as small as the greatest index allows (16 or 32 bits).
+    /// Unsigned, as small as the greatest index allows (16 or 32 bits). The same indices again are the same accessor.
     std::size_t add_indices(std::span<const std::uint32_t> indices, std::size_t vertex_count);
     /// VEC2 of floats.
     std::size_t add_uvs(std::span<const glm::vec2> uvs);
     /// The elements of accessor `index` that `elements` names, in that order, their bytes as they are. With `min` and
-    /// `max` where the accessor had them or `bounds` asks for them. Throws Error{bad_input} for what lies outside.
+    /// `max` where the accessor had them or `bounds` asks for them. The same again is the same accessor: instances of a
+    /// mesh share what does not differ. Throws Error{bad_input} for what lies outside.
     std::size_t gather(std::size_t index, std::span<const std::uint32_t> elements, bool bounds);
 
     /// A binary glTF with one buffer, of the accessors and views that are referred to; each view starts at a multiple
@@ -43,10 +47,14 @@ public:
 private:
     [[nodiscard]] std::span<const std::uint8_t> view_bytes(const Json& view) const;
     void drop_unused_accessors();
-    [[nodiscard]] std::vector<std::uint8_t> drop_unused_views();
+    std::size_t gather_anew(std::size_t index, std::span<const std::uint32_t> elements, bool bounds);
+    /// Leaves one buffer, of what is returned.
+    [[nodiscard]] std::vector<std::span<const std::uint8_t>> drop_unused_views();
 
     std::span<const std::uint8_t> m_source;
-    std::vector<std::uint8_t> m_added; // what views with "buffer": 1 refer to until to_glb
+    std::vector<std::vector<std::uint8_t>> m_added; ///< a view of buffer i + 1 is all of m_added[i], until to_glb
+    std::map<std::tuple<std::size_t, bool, std::string>, std::size_t> m_gathered; ///< by what was asked; a hash of many
+    std::map<std::pair<bool, std::string>, std::size_t> m_indices;                ///< by width and hash
 };
 
 /// Calls visit(value) for every member named `key`, at any depth, but for what lies in extras, whose names mean

@@ -1,6 +1,7 @@
 #include "make_scenes/document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -253,9 +254,8 @@ std::vector<std::byte> Document::to_glb() const {
             json[key] = m_json[key];
         }
     }
-    std::vector<std::byte> binary = m_binary;
-    binary.resize((binary.size() + 3) / 4 * 4);
-    json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
+    const std::array binary{std::span<const std::byte>(m_binary)};
+    json["buffers"] = Json::array({{{"byteLength", glb::padded(m_binary.size())}}});
     return glb::make<std::byte>(json.dump(), binary);
 }
 

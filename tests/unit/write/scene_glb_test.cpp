@@ -138,6 +138,33 @@ TEST(SceneGlb, AttributesKeepTheirBytes) {
     EXPECT_EQ(target["max"], Json({0.0, 4.0, 0.0}));
 }
 
+// Only the light map's UVs are an instance's own, as long as both are cut at the same corners.
+TEST(SceneGlb, InstancesShareWhatDoesNotDiffer) {
+    Bake bake = make_bake();
+    std::fill(bake.atlas.page.begin(), bake.atlas.page.end(), 0U);
+    for (std::size_t corner = 0; corner < bake.atlas.uvs.size(); ++corner) {
+        bake.atlas.uvs[corner] = glm::vec2(0.03125F * static_cast<float>(corner), 0.5F);
+    }
+    const Glb glb = bake_to_glb(make_scene(), bake);
+    const Json& quad = mesh_of(glb, 0)["primitives"][1];
+    const Json& mirror = mesh_of(glb, 1)["primitives"][1];
+    EXPECT_EQ(quad["indices"], mirror["indices"]);
+    EXPECT_EQ(quad["targets"], mirror["targets"]);
+    for (const char* name : {"POSITION", "COLOR_0", "_HEAT"}) {
+        EXPECT_EQ(quad["attributes"][name], mirror["attributes"][name]) << name;
+    }
+    EXPECT_EQ(corners_of(glb, mirror, "POSITION"),
+              source_corners(as_bytes(test::quad_positions), 8, 6, test::quad_indices));
+    EXPECT_NE(corners_of(glb, quad, "TEXCOORD_1"), corners_of(glb, mirror, "TEXCOORD_1"));
+
+    bake.atlas.uvs[4] = bake.atlas.uvs[0]; // the first quad's vertex 2 is no longer cut
+    bake.atlas.uvs[5] = bake.atlas.uvs[2]; // nor 0
+    const Glb other = bake_to_glb(make_scene(), bake);
+    EXPECT_NE(mesh_of(other, 0)["primitives"][1]["indices"], mesh_of(other, 1)["primitives"][1]["indices"]);
+    EXPECT_NE(mesh_of(other, 0)["primitives"][1]["attributes"]["POSITION"],
+              mesh_of(other, 1)["primitives"][1]["attributes"]["POSITION"]);
+}
+
 // The material reads TEXCOORD_1, which the light map needs: the set moves to TEXCOORD_2 and the material with it.
 TEST(SceneGlb, MovesASetThatMaterialsUse) {
     const Glb glb = bake_to_glb(make_scene(), make_bake());
