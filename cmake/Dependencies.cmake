@@ -13,4 +13,5 @@ find_package(fmt REQUIRED)
 find_package(PkgConfig REQUIRED)
 # OpenImageIO's own CMake configuration on Debian names a folder of OpenCV headers that need not exist.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(librsvg REQUIRED IMPORTED_TARGET librsvg-2.0)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)

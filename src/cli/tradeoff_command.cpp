@@ -1,5 +1,6 @@
 #include "bake_options.hpp"
 #include "command.hpp"
+#include "draw_svg.hpp"
 #include "progress_line.hpp"
 #include "text.hpp"
 #include "tradeoff_page.hpp"
@@ -163,11 +164,13 @@ int run_tradeoff(TradeoffOptions options) {
     mark_frontier(trade.points);
     trade.recommended = recommended(trade.points);
     write_text(folder / "tradeoff.json", trade_json(trade));
-    write_text(folder / "tradeoff.svg", trade_plot(trade));
+    const std::string plot = trade_plot(trade, PlotGround::white);
+    write_text(folder / "tradeoff.svg", plot);
+    write_image(folder / "tradeoff.png", draw_svg(plot, 2 * plot_width, 2 * plot_height));
     write_text(folder / "tradeoff.html", trade_page(trade));
     fmt::print("{}", trade_table(trade));
     fmt::print("recommended: {}\n", trade.points[trade.recommended].flags);
-    for (const char* file : {"tradeoff.html", "tradeoff.svg", "tradeoff.json"}) {
+    for (const char* file : {"tradeoff.html", "tradeoff.svg", "tradeoff.png", "tradeoff.json"}) {
         fmt::print("  {}\n", (folder / file).string());
     }
     return exit_done;

@@ -105,7 +105,8 @@ std::string trade_page(const Trade& trade) {
         "scene "
         "looks that is drawn with them: the mean CIEDE2000, of which 1 can just be seen.</p>\n"
         "<h2>The same detail of the map</h2><p>Left the light, right its error, ten times as bright.</p>\n{6}</html>\n",
-        escaped(trade.scene), page_style, trade.size, escaped(trade.sky), trade_plot(trade), rows, figures);
+        escaped(trade.scene), page_style, trade.size, escaped(trade.sky), trade_plot(trade, PlotGround::page), rows,
+        figures);
 }
 
 } // namespace vkbake::cli

@@ -47,9 +47,15 @@ struct Trade {
     std::size_t recommended = 0;
 };
 
+/// What the plot stands on: white, for paper and for any page; or nothing, with the page's own colours.
+enum class PlotGround { white, page };
+
+constexpr int plot_width = 720;
+constexpr int plot_height = 420;
+
 [[nodiscard]] std::string trade_table(const Trade& trade); ///< for a terminal
 [[nodiscard]] std::string trade_json(const Trade& trade);
-[[nodiscard]] std::string trade_plot(const Trade& trade); ///< SVG: error against time, both logarithmic
-[[nodiscard]] std::string trade_page(const Trade& trade); ///< HTML that needs nothing but itself
+[[nodiscard]] std::string trade_plot(const Trade& trade, PlotGround ground); ///< SVG: error against time, logarithmic
+[[nodiscard]] std::string trade_page(const Trade& trade);                    ///< HTML that needs nothing but itself
 
 } // namespace vkbake::cli

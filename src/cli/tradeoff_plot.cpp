@@ -9,8 +9,6 @@
 namespace vkbake::cli {
 namespace {
 
-constexpr double plot_width = 720.0;
-constexpr double plot_height = 420.0;
 constexpr double left_margin = 70.0;
 constexpr double right_margin = 20.0;
 constexpr double upper_margin = 20.0;
@@ -109,7 +107,7 @@ Box dot_of(const Mark& mark) {
 
 /// The places of a label beside its point, the best first.
 std::array<Box, 6> places_of(const Mark& mark) {
-    constexpr double a_letter = 6.9; // of plot_style's font, about
+    constexpr double a_letter = 6.9; // of the plot's font, about
     constexpr double height = 15.0;
     const double width = a_letter * static_cast<double>(mark.text.size());
     const auto box = [&](double left, double top) { return Box{left, top, left + width, top + height}; };
@@ -141,23 +139,30 @@ std::vector<Mark> marks(const std::vector<TradePoint>& points, const Axis& x, co
     return result;
 }
 
-constexpr const char* plot_style = R"(<style>
-.plot text{font:13px system-ui,sans-serif;fill:var(--ink,#444)}.plot .grid{stroke:var(--line,#bbb);stroke-width:.6}
-.plot .even{fill:var(--b,#2563eb);stroke:none}.plot .denoised{fill:var(--c,#15803d);stroke:none}
-.plot .adaptive{fill:var(--a,#ea580c);stroke:none}
-.plot .frontier{fill:none;stroke:var(--soft,#888);stroke-width:1.5;stroke-dasharray:5 4}
-</style>
-)";
+/// Where the plot is part of a page it has the page's colours.
+std::string style_svg(PlotGround ground) {
+    const auto color = [ground](const char* name, const char* plain) {
+        return ground == PlotGround::page ? fmt::format("var(--{},{})", name, plain) : std::string(plain);
+    };
+    return fmt::format("<style>\n.plot text{{font:13px system-ui,sans-serif;fill:{}}}"
+                       ".plot .grid{{stroke:{};stroke-width:.6}}\n"
+                       ".plot .even{{fill:{};stroke:none}}.plot .denoised{{fill:{};stroke:none}}\n"
+                       ".plot .adaptive{{fill:{};stroke:none}}\n"
+                       ".plot .frontier{{fill:none;stroke:{};stroke-width:1.5;stroke-dasharray:5 4}}\n</style>\n{}",
+                       color("ink", "#333"), color("line", "#bbb"), color("b", "#2563eb"), color("c", "#15803d"),
+                       color("a", "#ea580c"), color("soft", "#888"),
+                       ground == PlotGround::white ? "<rect width='100%' height='100%' fill='#fff'/>\n" : "");
+}
 
 } // namespace
 
-std::string trade_plot(const Trade& trade) {
+std::string trade_plot(const Trade& trade, PlotGround ground) {
     const Axis x = axis_over(trade.points, seconds_of, left_margin, plot_width - right_margin);
     const Axis y = axis_over(trade.points, percent_of, plot_height - lower_margin, upper_margin);
     std::string svg = fmt::format(
         "<svg xmlns='http://www.w3.org/2000/svg' class='plot' viewBox='0 0 {0} {1}' width='{0}' height='{1}'>\n",
         plot_width, plot_height);
-    svg += plot_style + axes_svg(x, y);
+    svg += style_svg(ground) + axes_svg(x, y);
     std::vector<TradePoint> frontier;
     std::copy_if(trade.points.begin(), trade.points.end(), std::back_inserter(frontier),
                  [](const TradePoint& point) { return point.on_frontier; });

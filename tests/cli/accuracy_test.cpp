@@ -78,8 +78,15 @@ TEST_F(Cli, ShowsTheTrade) {
     EXPECT_NE(page.find("data:image/bmp;base64,"), std::string::npos);
     EXPECT_EQ(page.find("src='http"), std::string::npos); // it needs no network
     EXPECT_NE(text_of(m_folder / "trade/tradeoff.json").find("\"color_difference\": "), std::string::npos);
+    // The plot's ground is white, the points of even bakes are blue, and letters, of no colour, are dark.
+    const Image plot = read_image(m_folder / "trade/tradeoff.png");
+    EXPECT_EQ(std::pair(plot.width, plot.height), std::pair(1440, 840));
+    EXPECT_EQ(plot.texels[plot.index(2, 2)], glm::vec4(1.0F));
+    const auto texels_like = [&](const auto& like) { return std::ranges::count_if(plot.texels, like); };
+    EXPECT_GT(texels_like([](const glm::vec4& texel) { return texel.b > 4.0F * texel.r; }), 4 * 50);
+    EXPECT_GT(texels_like([](const glm::vec4& texel) { return texel.b == texel.r && texel.b < 0.3F; }), 1000);
     const std::filesystem::directory_iterator files(m_folder / "trade");
-    EXPECT_EQ(std::distance(begin(files), end(files)), 3); // what pictures were drawn from is gone
+    EXPECT_EQ(std::distance(begin(files), end(files)), 4); // what pictures were drawn from is gone
 }
 
 } // namespace
