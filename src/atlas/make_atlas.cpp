@@ -14,6 +14,7 @@
 #include "atlas/density.hpp"
 #include "atlas/grown_charts.hpp"
 #include "atlas/kept_uvs.hpp"
+#include "atlas/object_notes.hpp"
 #include "atlas/place_charts.hpp"
 #include "atlas/polypacks.hpp"
 #include "base/parallel.hpp"
@@ -61,29 +62,6 @@ double flat_area(std::span<const glm::vec2> flat, std::uint32_t triangle) {
     const glm::dvec2 c(flat[3 * std::size_t{triangle} + 2]);
     return 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
-
-/// A line for each reason, with the names of the first few objects that it holds for.
-class ObjectNotes {
-public:
-    void add(const std::string& reason, const std::string& object) { m_objects[reason].push_back(object); }
-
-    void write(std::vector<std::string>& notes) const {
-        constexpr std::size_t named = 8;
-        for (const auto& [reason, objects] : m_objects) {
-            std::string line = reason + ": ";
-            for (std::size_t i = 0; i < std::min(objects.size(), named); ++i) {
-                line += (i > 0 ? ", " : "") + objects[i];
-            }
-            if (objects.size() > named) {
-                line += " and " + std::to_string(objects.size() - named) + " more";
-            }
-            notes.push_back(std::move(line));
-        }
-    }
-
-private:
-    std::map<std::string, std::vector<std::string>> m_objects;
-};
 
 class AtlasMaker {
 public:
