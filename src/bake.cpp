@@ -83,15 +83,15 @@ Bake run_stages(const Scene& scene, const Sky& sky, const Settings& settings, co
     for (std::size_t page = 0; page < pages; ++page) {
         clock.begin_page(page, pages);
         clock.run("geometry image", [&] { return draw(page).texel_count(); });
-        std::vector<float> variance;
-        LightMap map = clock.run("trace", [&] {
-            return tracer.trace(geometry, clock.trace_progress(), clock.trace_deadline(passes), &variance);
-        });
-        if (denoised) {
+        const auto take_noise = [&](LightMap& map, const std::vector<float>& variance) {
             map.statistics.denoised_texels = clock.run("denoise", [&] {
                 return denoise(device.context(), map, {geometry, bake.atlas.chart, variance});
             });
-        }
+        };
+        LightMap map = clock.run("trace", [&] {
+            return tracer.trace(geometry, clock.trace_progress(), clock.trace_deadline(passes),
+                                denoised ? MapFilter(take_noise) : MapFilter());
+        });
         map.name = bake.atlas.pages[page].name;
         bake.light_maps.push_back(std::move(map));
         if (settings.blend_creases == Switch::on) {

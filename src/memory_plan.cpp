@@ -52,8 +52,18 @@ constexpr std::uint64_t denoised_work_texel_bytes = 72;
 /// Of the tile of a map that the device works on: the geometry image's targets and what they are read back into.
 constexpr std::uint64_t tile_texel_bytes = 76;
 constexpr std::uint64_t tile_side = 2048;
+/// Of the tile that is denoised, which comes later: seven images of RGBA and one of floats, three of them as they are
+/// uploaded and two as they are read back.
+constexpr std::uint64_t denoised_tile_texel_bytes = 184;
+constexpr std::uint64_t denoised_tile_side = 1056; ///< its border with it
 
 std::uint64_t texels_of(std::uint64_t side) { return side * side; }
+
+std::uint64_t tile_bytes(const MemoryNeed& need, std::uint64_t side) {
+    const std::uint64_t drawn = tile_texel_bytes * texels_of(std::min(side, tile_side));
+    const std::uint64_t denoised = denoised_tile_texel_bytes * texels_of(std::min(side, denoised_tile_side));
+    return need.denoised ? std::max(drawn, denoised) : drawn;
+}
 
 /// Texels whose values the system gives memory for together, at the most: geometry images have 12 bytes a texel and a
 /// value, and pages are of up to 2 MiB.
@@ -216,7 +226,7 @@ std::uint64_t peak_memory(const MemoryNeed& need) {
     return program_bytes + need.held + sky_texel_bytes * need.sky_texels + triangle_bytes * need.triangles +
            need.opacity + (every_map * need.maps + whole) * texels +
            touched_map_texel_bytes * share_of(need.touched, need.maps * texels) +
-           touched * share_of(need.most_touched, texels) + tile_texel_bytes * texels_of(std::min(side, tile_side));
+           touched * share_of(need.most_touched, texels) + tile_bytes(need, side);
 }
 
 std::uint64_t memory_limit(const Settings& settings) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "vkbake/error.hpp"
@@ -44,13 +45,18 @@ public:
                std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(passes * m_last_seconds));
     }
 
+    /// A stage's seconds are not those of one that runs within it.
     template<typename Work>
     auto run(std::string_view stage, Work&& work) {
         begin(stage);
+        add(stage, 0.0);
+        const double before = std::exchange(m_within, 0.0);
         const auto start = Clock::now();
         auto result = work();
-        m_last_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        m_last_seconds = seconds - m_within;
         add(stage, m_last_seconds);
+        m_within = before + seconds;
         return result;
     }
 
@@ -87,6 +93,7 @@ private:
     const Progress& m_progress;
     std::optional<Clock::time_point> m_end;
     double m_last_seconds = 0.0;
+    double m_within = 0.0; ///< of the stage that runs: seconds of those within it
     double m_page = 0.0;
     double m_pages = 1.0;
     std::vector<StageSeconds> m_seconds;

@@ -33,7 +33,8 @@ struct Inspection {
     std::size_t pages = 0;
     double density = 0.0;             ///< texels per metre; 0 where all UVs are kept
     std::uint64_t covered_texels = 0; ///< estimate
-    std::uint64_t rays = 0;           ///< estimate; of bounces, where an error is asked for, as if it were not
+    std::uint64_t rays = 0;           ///< estimate; of bounces, where an error is asked for, as if it were not; of a
+                                      ///< denoised map, where one is, as if it were not denoised: the most it takes
     double trace_seconds = 0.0;     ///< of direct light on this machine, estimate from texels that were traced; 0 where
                                     ///< none were, as there is not the memory for it
     std::optional<double> error;    ///< of direct light, relative, likewise; absent where it is not estimated

@@ -77,7 +77,8 @@ struct Settings {
     /// Relative error that a map is to have: root-mean-square error of luminance ÷ the map's mean, and no more than one
     /// texel in a hundred with a standard error above eight times that. Each texel then gets as many rays as it takes,
     /// 16 to 65536, of direct light and of each bounce, whose light counts in both; `rays` and `bounce_rays` mean
-    /// nothing; the errors are estimated. > 0; sampler cosine.
+    /// nothing; the errors are estimated. With `denoise` it is the denoised map's error, and rays are spared that the
+    /// filter makes needless. > 0; sampler cosine.
     std::optional<double> target_error;
     /// Seconds that bake() may take, the map as good as they allow; with target_error, whichever is reached first. The
     /// result depends on the machine, unlike any other's. > 0; sampler cosine, no bounces.

@@ -64,7 +64,8 @@ namespace {
 void add_error_options(CLI::App& app, Settings& settings) {
     app.add_option_function<double>(
            "--target-error", [&settings](double error) { settings.target_error = error; },
-           "Instead of --rays and --bounce-rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01")
+           "Instead of --rays and --bounce-rays: the relative error (RMSE / mean) that each map is to have, e.g. 0.01; "
+           "with --denoise once it is denoised")
         ->check(CLI::PositiveNumber);
     app.add_option_function<std::string>(
            "--quality",

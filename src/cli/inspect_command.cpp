@@ -46,14 +46,16 @@ void print_inspection(const Inspection& inspection, const Settings& settings) {
     if (inspection.density > 0.0) {
         fmt::print(", {:.4g} texels a metre", inspection.density);
     }
-    fmt::print("\n  about {} texels, {} rays; at most {} of memory{}\n",
-               count_text(static_cast<double>(inspection.covered_texels)),
+    // How much a filter spares is known when it has filtered.
+    const std::string most = settings.target_error && settings.denoise == Switch::on ? "at most " : "";
+    fmt::print("\n  about {} texels, {}{} rays; at most {} of memory{}\n",
+               count_text(static_cast<double>(inspection.covered_texels)), most,
                count_text(static_cast<double>(inspection.rays)), bytes_text(inspection.memory),
                inspection.memory > inspection.memory_limit
                    ? ", which is more than the limit of " + bytes_text(inspection.memory_limit)
                    : std::string());
     if (inspection.trace_seconds > 0.0) {
-        fmt::print("  direct light: about {} of tracing here", duration_text(inspection.trace_seconds));
+        fmt::print("  direct light: {}about {} of tracing here", most, duration_text(inspection.trace_seconds));
         fmt::print("{}\n", inspection.error ? fmt::format(", error about {:.2g} %", 100.0 * *inspection.error) : "");
     }
     fmt::print("light\n");

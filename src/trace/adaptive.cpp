@@ -1,6 +1,7 @@
 #include "trace/adaptive.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -17,6 +18,8 @@ constexpr std::uint32_t pilot_rays = least_estimated_rays;
 constexpr unsigned doublings_a_pass = 2;
 /// So far below the target a pass aims, so that the last ones are few.
 constexpr double aim = 0.985;
+/// What a filter leaves is first asked for at so many times the error.
+constexpr double first_noise = 4.0;
 
 double seconds_until(Clock::time_point time) { return std::chrono::duration<double>(time - Clock::now()).count(); }
 
@@ -36,12 +39,16 @@ public:
         for (const TexelTile& tile : map.tiles()) {
             m_texels += tile.count;
         }
+        if (goal.error) {
+            m_noise = goal.left ? first_noise * *goal.error : *goal.error;
+        }
     }
 
     AdaptiveResult run() {
         take_pilot();
         while (true) {
             m_estimate = m_map.estimate();
+            m_result.reached = is_reached();
             const std::vector<TileNeed> needs = smoothed_needs();
             const std::vector<TileOrder> orders = m_stopped ? std::vector<TileOrder>() : next_orders(needs);
             if (orders.empty()) {
@@ -53,6 +60,31 @@ public:
     }
 
 private:
+    /// Lowers the noise that may be left where a filter leaves too much of it.
+    bool is_reached() {
+        if (!m_goal.error) {
+            return true;
+        }
+        while (m_estimate.relative_rmse() <= m_noise) {
+            if (m_noise <= *m_goal.error || m_estimate.relative_rmse() <= 0.0) {
+                return true;
+            }
+            const double left = m_goal.left();
+            m_result.judged = true;
+            m_left_share = left / m_estimate.relative_rmse();
+            if (left <= *m_goal.error) {
+                return true;
+            }
+            // Of what was seen (a head on a ground 0.65, a garden and a city 0.85) rather too much: once more to be
+            // asked costs less than rays in vain.
+            constexpr double power = 0.9;
+            constexpr double least_step = 0.9;
+            m_noise = m_estimate.relative_rmse() * std::min(std::pow(*m_goal.error / left, 1.0 / power), least_step);
+            m_noise = std::max(m_noise, *m_goal.error);
+        }
+        return false;
+    }
+
     void take_pilot() {
         std::vector<TileOrder> orders;
         for (std::size_t tile = 0; tile < m_map.tiles().size(); ++tile) {
@@ -80,11 +112,12 @@ private:
         m_result.samples += share * samples;
         m_samples_a_second = share * samples / std::chrono::duration<double>(Clock::now() - start).count();
         m_stopped = done < orders.size();
+        m_result.judged = false;
     }
 
     void tell(double share) {
         m_share = std::clamp(share, m_share, 1.0);
-        m_report(m_share, m_estimate.relative_rmse());
+        m_report(m_share, m_left_share * m_estimate.relative_rmse());
     }
 
     [[nodiscard]] std::vector<TileNeed> smoothed_needs() const {
@@ -120,9 +153,9 @@ private:
         if (m_goal.deadline) {
             return orders_in_time(needs);
         }
-        const double target = *m_goal.error * m_estimate.mean();
+        const double target = m_noise * m_estimate.mean();
         Allocation allocation{.doublings = std::vector<std::uint8_t>(needs.size(), 0)};
-        if (m_estimate.relative_rmse() > *m_goal.error && m_estimate.sampled.variance > 0.0) {
+        if (m_estimate.relative_rmse() > m_noise && m_estimate.sampled.variance > 0.0) {
             double sum = 0.0; // what the smoothed needs say of the map as it is
             for (const TileNeed& need : needs) {
                 sum += need.variance;
@@ -135,7 +168,7 @@ private:
         }
         // Before the end, so that what it takes from the error counts for the others.
         constexpr double near_the_end = 1.5;
-        if (m_estimate.relative_rmse() < near_the_end * *m_goal.error) {
+        if (m_estimate.relative_rmse() < near_the_end * m_noise) {
             double_worst(needs, worst_factor * target, allocation);
         }
         hold_back(needs, allocation);
@@ -143,7 +176,7 @@ private:
     }
 
     [[nodiscard]] std::vector<TileOrder> orders_in_time(const std::vector<TileNeed>& needs) {
-        if (m_goal.error && m_estimate.relative_rmse() <= *m_goal.error) {
+        if (m_goal.error && m_result.reached) {
             return {};
         }
         const double samples = seconds_until(*m_goal.deadline) * m_samples_a_second;
@@ -156,7 +189,8 @@ private:
     }
 
     [[nodiscard]] std::vector<TileOrder> orders_of(const Allocation& allocation) {
-        m_foretold = m_result.samples + allocation.samples;
+        constexpr double may_not_do = 1.5; // until a filter was asked
+        m_foretold = (m_result.samples + allocation.samples) * (m_goal.left ? may_not_do : 1.0);
         std::vector<TileOrder> orders;
         for (std::size_t tile = 0; tile < allocation.doublings.size(); ++tile) {
             const unsigned doublings = std::min<unsigned>(allocation.doublings[tile], doublings_a_pass);
@@ -222,7 +256,6 @@ private:
     }
 
     void finish(const std::vector<TileNeed>& needs) {
-        m_result.reached = !m_goal.error || m_estimate.relative_rmse() <= *m_goal.error;
         std::vector<TileNeed> fresh = needs;
         double sum = 0.0;
         double at_pilot = 0.0;
@@ -255,6 +288,8 @@ private:
     const AdaptiveReport& m_report;
     MapEstimate m_estimate;
     AdaptiveResult m_result;
+    double m_noise = 0.0;      ///< relative, that may be left; where an error is asked for
+    double m_left_share = 1.0; ///< of the noise, that a filter left of it when it was asked last
     bool m_stopped = false; ///< by the deadline
     double m_texels = 0.0;
     double m_foretold = 1.0; ///< samples over all

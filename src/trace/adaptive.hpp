@@ -15,8 +15,10 @@ inline constexpr double worst_share = 0.01;
 inline constexpr double worst_factor = 8.0;
 
 struct AdaptiveGoal {
-    std::optional<double> error; ///< MapEstimate::relative_rmse
+    std::optional<double> error; ///< MapEstimate::relative_rmse, or what `left` says
     std::optional<std::chrono::steady_clock::time_point> deadline;
+    /// The map's error once it is filtered, as it is now. Asked a few times; absent where nothing filters it.
+    std::function<double()> left = {};
 };
 
 /// How far the work is, how good the map is (0: not known yet). May throw to stop.
@@ -27,6 +29,7 @@ struct AdaptiveResult {
     std::uint64_t uniform = 0; ///< samples a texel that would do as well if all texels had the same number
     double best_samples = 0.0; ///< over all texels: the least that the measured variances allow for this error
     double samples = 0.0;      ///< taken
+    bool judged = false;       ///< `left` was asked after the last of them
 };
 
 /// Texels begin with 16 rays. Then, pass after pass, the tiles in which rays are worth most get up to four times what
@@ -35,7 +38,10 @@ struct AdaptiveResult {
 ///
 /// What decides is a tile's variance, smoothed with that of its neighbours along the tiles' curve and a little of the
 /// map's: of sixteen texels and more, so a texel's own luck hardly decides whether it gets more rays, which would bias
-/// it. Without a deadline a pure function of the samples.
+/// it. Without a deadline a pure function of the samples, and of what `left` says.
+///
+/// Where the map is filtered, more noise is left in than may be left over: how much more, the first answer of `left` is
+/// asked for at four times the error, and goes by that from there on.
 AdaptiveResult sample_adaptively(SampledMap& map, const Samplers& samplers, const AdaptiveGoal& goal,
                                  const AdaptiveReport& report);
 

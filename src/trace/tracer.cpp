@@ -115,24 +115,54 @@ void trace_plain(const std::vector<TexelTile>& tiles, const std::vector<std::uni
     run(loop, [&](std::size_t tile, std::size_t worker) { workers[worker]->trace(tiles[tile], store); });
 }
 
+/// Makes maps of samples, and hands them to the filter, if there is one.
+class MapWriter {
+public:
+    explicit MapWriter(const MapFilter& filter) : m_filter(filter) {}
+
+    void write(const SampledMap& sampled, LightMap& map) {
+        sampled.write_to(map);
+        if (m_filter) {
+            const auto start = std::chrono::steady_clock::now();
+            m_filter(map, sampled.variances(map.image.texels.size()));
+            m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        }
+    }
+
+    [[nodiscard]] bool filters() const { return static_cast<bool>(m_filter); }
+    [[nodiscard]] double seconds() const { return m_seconds; } ///< that the filter took
+
+private:
+    const MapFilter& m_filter;
+    double m_seconds = 0.0;
+};
+
 void trace_estimated(SampledMap& sampled, const Samplers& samplers, std::uint32_t rays, const TraceProgress& progress,
-                     LightMap& map) {
+                     MapWriter& writer, LightMap& map) {
     std::vector<TileOrder> orders;
     for (std::size_t tile = 0; tile < sampled.tiles().size(); ++tile) {
         orders.push_back({static_cast<std::uint32_t>(tile), rays});
     }
     sampled.extend(orders, samplers, report_of(orders.size(), samplers, progress));
-    sampled.write_to(map);
+    writer.write(sampled, map);
 }
 
-void trace_adaptively(SampledMap& sampled, const Samplers& samplers, const AdaptiveGoal& goal,
-                      const TraceProgress& progress, LightMap& map) {
+void trace_adaptively(SampledMap& sampled, const Samplers& samplers, AdaptiveGoal goal, const TraceProgress& progress,
+                      MapWriter& writer, LightMap& map) {
+    if (writer.filters()) {
+        goal.left = [&] {
+            writer.write(sampled, map);
+            return map.error->relative_rmse;
+        };
+    }
     const AdaptiveResult result = sample_adaptively(sampled, samplers, goal, [&](double share, double error) {
         if (progress && !progress(share, sum_of(samplers).all(), error) && sampled.texel_count() > 0) {
             throw Error(ErrorKind::interrupted, "interrupted");
         }
     });
-    sampled.write_to(map);
+    if (!result.judged) {
+        writer.write(sampled, map);
+    }
     const auto texels = static_cast<double>(std::max<std::size_t>(sampled.texel_count(), 1));
     map.error->target_reached = result.reached;
     map.error->mean_rays = result.samples / texels;
@@ -224,8 +254,7 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progress,
-                       std::optional<std::chrono::steady_clock::time_point> deadline,
-                       std::vector<float>* variance) const {
+                       std::optional<std::chrono::steady_clock::time_point> deadline, const MapFilter& filter) const {
     const DefaultFloatState float_state;
     const auto start = std::chrono::steady_clock::now();
     const std::vector<TexelTile> tiles = make_tiles(geometry, m_state->surface->triangle_count());
@@ -235,15 +264,13 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     LightMap map{.image = empty_image(geometry)};
     const RayPlan& plan = m_state->plan;
     const Settings& settings = plan.settings();
+    MapWriter writer(filter);
     if (is_estimated(settings) || deadline) {
         SampledMap sampled(tiles, settings, plan.max_distance(), m_state->intensity);
         if (settings.target_error || deadline) {
-            trace_adaptively(sampled, samplers, {settings.target_error, deadline}, progress, map);
+            trace_adaptively(sampled, samplers, {settings.target_error, deadline}, progress, writer, map);
         } else {
-            trace_estimated(sampled, samplers, plan.samples(), progress, map);
-        }
-        if (variance != nullptr) {
-            *variance = sampled.variances(map.image.texels.size());
+            trace_estimated(sampled, samplers, plan.samples(), progress, writer, map);
         }
     } else {
         trace_plain(tiles, workers, plan, plan.scale() * m_state->intensity, progress, map);
@@ -262,7 +289,8 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     map.statistics.lamp_rays = counts.lamp_rays;
     map.statistics.peak_rays = counts.peak_rays;
     map.statistics.lamps_reached = reached(workers);
-    map.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    map.statistics.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() - writer.seconds();
     return map;
 }
 
@@ -291,11 +319,13 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
     const Samplers samplers = samplers_of(workers);
     LightMap map{.image = empty_image(geometry)};
     if (options.before) {
+        const MapFilter unfiltered;
+        MapWriter writer(unfiltered);
         SampledMap sampled(tiles, settings, plan.max_distance(), 1.0, *options.before);
         if (settings.target_error) {
-            trace_adaptively(sampled, samplers, {settings.target_error, {}}, progress, map);
+            trace_adaptively(sampled, samplers, {settings.target_error, {}}, progress, writer, map);
         } else {
-            trace_estimated(sampled, samplers, plan.samples(), progress, map);
+            trace_estimated(sampled, samplers, plan.samples(), progress, writer, map);
         }
     } else {
         trace_plain(tiles, workers, plan, plan.scale(), progress, map);

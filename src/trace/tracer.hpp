@@ -46,6 +46,10 @@ struct GatherOptions {
     std::optional<KnownLight> before = {}; ///< what the map has already; absent: errors are not estimated
 };
 
+/// Takes noise out of a map: sets its light, its standard errors and its error. `variance`: of each texel's luminance
+/// as its samples show it (0 where not baked), which LightMap::standard_error is made from.
+using MapFilter = std::function<void(LightMap& map, const std::vector<float>& variance)>;
+
 /// Holds what all maps of a bake share: the accelerators over the surface and the sky made ready for look-ups.
 /// The surface must outlive it.
 class Tracer {
@@ -67,11 +71,12 @@ public:
     /// The map's name is left empty. The bits of the image depend on nothing but the arguments. `progress` is called
     /// from the calling thread only. Throws Error{interrupted} where it returned false.
     /// `deadline`: when the rays are to end that Settings::seconds allows; absent, never.
-    /// `variance`: where not null, gets the variance of each texel's luminance as its samples show it (0 where not
-    /// baked), which LightMap::standard_error is made from; empty where errors are not estimated.
+    /// `filter`: where errors are estimated, is called with the traced map, which has no statistics yet. Where an error
+    /// is asked for that is the filtered map's, so the filter is asked as soon as it may do, and maybe again after more
+    /// rays; each time it gets the map as it was traced.
     [[nodiscard]] LightMap trace(const GeometryImage& geometry, const TraceProgress& progress = {},
                                  std::optional<std::chrono::steady_clock::time_point> deadline = {},
-                                 std::vector<float>* variance = nullptr) const;
+                                 const MapFilter& filter = {}) const;
 
     /// What surfaces send to the texels in place of the sky: E/π of one bounce, with rays of its own for each `bounce`
     /// (1, 2 …): Settings::bounce_rays, or where an error is asked for as many as that wants of all light. Sets the

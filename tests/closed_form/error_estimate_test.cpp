@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -64,8 +65,9 @@ struct Roof {
         }
     }
 
-    [[nodiscard]] LightMap trace(const Settings& settings) const {
-        return Tracer(surface, test::white_sky(), settings).trace(test::geometry_image(points, roof_side));
+    [[nodiscard]] LightMap trace(const Settings& settings, const MapFilter& filter = {}) const {
+        return Tracer(surface, test::white_sky(), settings)
+            .trace(test::geometry_image(points, roof_side), {}, {}, filter);
     }
     [[nodiscard]] double mean() const {
         double sum = 0.0;
@@ -213,6 +215,52 @@ TEST(TargetError, IsNotOvershotWhereErrorsFallUnevenly) {
         EXPECT_GT(map.error->relative_rmse, 0.9 * target) << target;
         EXPECT_LE(map.error->relative_rmse, target) << target;
     }
+}
+
+/// A filter that takes a known share of every texel's error away, and says so.
+class PerfectlyKnownFilter {
+public:
+    PerfectlyKnownFilter(const Roof& roof, double left) : m_roof(roof), m_left(left) {}
+
+    void operator()(LightMap& map, const std::vector<float>& /*variance*/) {
+        ++calls;
+        // Were it given what it has filtered, that would err by less than it tells.
+        EXPECT_NEAR(errors_of(map, m_roof).relative_rmse, map.error->relative_rmse, 0.1 * map.error->relative_rmse);
+        for (std::size_t i = 0; i < m_roof.visible.size(); ++i) {
+            const double truth = m_roof.visible[i];
+            map.image.texels[i].x =
+                static_cast<float>(truth + m_left * (static_cast<double>(map.image.texels[i].x) - truth));
+        }
+        map.error->relative_rmse *= m_left;
+    }
+
+    int calls = 0;
+
+private:
+    const Roof& m_roof;
+    double m_left;
+};
+
+TEST(TargetError, IsOfTheFilteredMapWhereThereIsAFilter) {
+    const Roof roof;
+    Settings settings;
+    settings.target_error = test::amount(0.01, 0.02);
+    const double plain_rays = roof.trace(settings).error->mean_rays;
+    for (const double left : {0.5, 0.25, 0.02}) {
+        PerfectlyKnownFilter filter(roof, left);
+        const LightMap map = roof.trace(settings, std::ref(filter));
+        EXPECT_TRUE(map.error->target_reached);
+        EXPECT_LT(errors_of(map, roof).relative_rmse, 1.1 * *settings.target_error) << left;
+        EXPECT_LT(filter.calls, 6) << left;
+        if (left > 0.1) { // else four times the error is asked for first, and does
+            EXPECT_GT(errors_of(map, roof).relative_rmse, 0.8 * *settings.target_error) << left;
+        }
+        EXPECT_LT(map.error->mean_rays, plain_rays * std::max(left, 0.25)) << left; // no error falls faster than 1/rays
+    }
+    PerfectlyKnownFilter useless(roof, 1.0);
+    const LightMap map = roof.trace(settings, std::ref(useless));
+    EXPECT_GT(errors_of(map, roof).relative_rmse, 0.8 * *settings.target_error);
+    EXPECT_LT(errors_of(map, roof).relative_rmse, 1.1 * *settings.target_error);
 }
 
 TEST(TargetError, GivesEachTexelTheFirstSamplesOfItsSequence) {

@@ -50,6 +50,17 @@ double told_error(const Bake& bake) {
     return std::sqrt(squares * texels) / light;
 }
 
+/// Rays a texel and the error that they leave.
+using Point = std::pair<double, double>;
+
+/// The error of plain bakes with so many rays a texel: on straight lines between logarithms.
+double error_with(const std::vector<Point>& plain, double rays) {
+    const std::size_t second = rays > plain[1].first ? 2 : 1;
+    const auto& [from_rays, from_error] = plain[second - 1];
+    const auto& [to_rays, to_error] = plain[second];
+    return from_error * std::pow(rays / from_rays, std::log(to_error / from_error) / std::log(to_rays / from_rays));
+}
+
 void measure(const std::string& file, const std::string& sky_name, int size, const Device& device) {
     const Scene scene = load_scene(file);
     const Sky sky = load_sky(sky_name);
@@ -59,7 +70,7 @@ void measure(const std::string& file, const std::string& sky_name, int size, con
     settings.target_error = reference_error;
     const Bake reference = bake(scene, sky, settings, device);
     settings.seed = 0;
-    std::vector<std::pair<double, double>> plain; // rays a texel, error
+    std::vector<Point> plain;
     for (const double target : targets) {
         settings.target_error = target;
         const Bake result = bake(scene, sky, settings, device);
@@ -70,21 +81,19 @@ void measure(const std::string& file, const std::string& sky_name, int size, con
         settings.target_error = targets[i];
         const Bake result = bake(scene, sky, settings, device);
         const BakeError error = compare_bakes(result, reference);
-        // Both had the same rays; within one bake the clock compares what goes on under one load.
-        const double more_time = 1.0 + denoise_seconds(result) / trace_seconds(result);
-        const double slope =
-            std::log(plain[i + 1].second / plain[i].second) / std::log(plain[i + 1].first / plain[i].first);
-        const double same_time = plain[i].second * std::pow(more_time, slope);
+        // What denoising took in rays: within one bake the clock compares what goes on under one load.
+        const double rays_in_time = mean_rays(result) * (1.0 + denoise_seconds(result) / trace_seconds(result));
         double texels = 0.0;
         for (const LightMap& map : result.light_maps) {
             texels += static_cast<double>(map.statistics.covered_texels);
         }
-        fmt::print(
-            "| {}, {} | {:.1f} | {:g} % | {:.2f} % | {:.2f} % | {:.2f} | {:.2f} | {:+.3f} % | {:.2f} s + {:.2f} s |\n",
-            std::filesystem::path(file).stem().string(), std::filesystem::path(sky_name).stem().string(),
-            texels / result.atlas.chart_count, 100.0 * targets[i], 100.0 * plain[i].second, 100.0 * error.relative_rmse,
-            error.relative_rmse / same_time, told_error(result) / error.relative_rmse, 100.0 * error.bias,
-            trace_seconds(result), denoise_seconds(result));
+        fmt::print("| {}, {} | {:.1f} | {:g} % | {:.2f} % | {:.2f} | {:.2f} | {:.0f}, {:.0f} | {:+.3f} % | {:.2f} s + "
+                   "{:.2f} s |\n",
+                   std::filesystem::path(file).stem().string(), std::filesystem::path(sky_name).stem().string(),
+                   texels / result.atlas.chart_count, 100.0 * targets[i], 100.0 * error.relative_rmse,
+                   told_error(result) / error.relative_rmse, error.relative_rmse / error_with(plain, rays_in_time),
+                   mean_rays(result), plain[i].first, 100.0 * error.bias, trace_seconds(result),
+                   denoise_seconds(result));
         std::fflush(stdout);
     }
 }
@@ -98,9 +107,8 @@ int main(int argument_count, char** arguments) {
     }
     try {
         const Device device = open_device();
-        fmt::print(
-            "| scene, sky | texels a chart | asked | plain | denoised | denoised / plain of the same time | told / "
-            "true | bias | tracing + denoising |\n|---|---|---|---|---|---|---|---|---|\n");
+        fmt::print("| scene, sky | texels a chart | asked | true | told / true | true / plain of the same time | rays: "
+                   "denoised, plain | bias | tracing + denoising |\n|---|---|---|---|---|---|---|---|---|\n");
         for (int scene = 3; scene < argument_count; ++scene) {
             std::istringstream skies(arguments[2]);
             for (std::string sky; std::getline(skies, sky, ';');) {
