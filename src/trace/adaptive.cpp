@@ -290,7 +290,7 @@ private:
     AdaptiveResult m_result;
     double m_noise = 0.0;      ///< relative, that may be left; where an error is asked for
     double m_left_share = 1.0; ///< of the noise, that a filter left of it when it was asked last
-    bool m_stopped = false; ///< by the deadline
+    bool m_stopped = false;    ///< by the deadline
     double m_texels = 0.0;
     double m_foretold = 1.0; ///< samples over all
     double m_samples_a_second = 0.0;
