@@ -75,14 +75,23 @@ private:
             if (left <= *m_goal.error) {
                 return true;
             }
-            // Of what was seen (a head on a ground 0.65, a garden and a city 0.85) rather too much: once more to be
-            // asked costs less than rays in vain.
-            constexpr double power = 0.9;
             constexpr double least_step = 0.9;
-            m_noise = m_estimate.relative_rmse() * std::min(std::pow(*m_goal.error / left, 1.0 / power), least_step);
+            m_noise = m_estimate.relative_rmse() *
+                      std::min(std::pow(aim * *m_goal.error / left, 1.0 / fall_of_left(left)), least_step);
             m_noise = std::max(m_noise, *m_goal.error);
         }
         return false;
+    }
+
+    /// As which power of the noise that falls which is left of it: as from the last time to this.
+    double fall_of_left(double left) {
+        constexpr double at_first = 0.9; // in a garden and a city; on a head on a ground less
+        const Judgement now{m_estimate.relative_rmse(), left};
+        const std::optional<Judgement> last = std::exchange(m_judgement, now);
+        if (!last) {
+            return at_first;
+        }
+        return std::clamp(std::log(last->left / now.left) / std::log(last->noise / now.noise), 0.5, 1.2);
     }
 
     void take_pilot() {
@@ -282,15 +291,21 @@ private:
         return rays + static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(rays));
     }
 
+    struct Judgement {
+        double noise = 0.0; ///< relative
+        double left = 0.0;
+    };
+
     SampledMap& m_map;
     const Samplers& m_samplers;
     const AdaptiveGoal& m_goal;
     const AdaptiveReport& m_report;
     MapEstimate m_estimate;
     AdaptiveResult m_result;
-    double m_noise = 0.0;      ///< relative, that may be left; where an error is asked for
-    double m_left_share = 1.0; ///< of the noise, that a filter left of it when it was asked last
-    bool m_stopped = false;    ///< by the deadline
+    double m_noise = 0.0;                 ///< relative, that may be left; where an error is asked for
+    double m_left_share = 1.0;            ///< of the noise, that a filter left of it when it was asked last
+    std::optional<Judgement> m_judgement; ///< the last
+    bool m_stopped = false;               ///< by the deadline
     double m_texels = 0.0;
     double m_foretold = 1.0; ///< samples over all
     double m_samples_a_second = 0.0;
