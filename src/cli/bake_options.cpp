@@ -6,7 +6,7 @@
 namespace vkbake::cli {
 namespace {
 
-double quality_error(const std::string& name) { return name == "draft" ? 0.05 : name == "preview" ? 0.02 : 0.005; }
+double quality_error(const std::string& name) { return name == "draft" ? 0.03 : name == "preview" ? 0.015 : 0.005; }
 
 } // namespace
 
@@ -73,7 +73,7 @@ void add_error_options(CLI::App& app, Settings& settings) {
                settings.target_error = quality_error(name);
                settings.denoise = name == "final" ? Switch::off : Switch::on;
            },
-           "A named target error: draft (5 %), preview (2 %), both denoised then, final (0.5 %)")
+           "A named target error: draft (3 %), preview (1.5 %), both denoised, final (0.5 %)")
         ->check(CLI::IsMember({"draft", "preview", "final"}))
         ->type_name("draft|preview|final");
     app.add_option_function<double>(

@@ -40,7 +40,7 @@ std::vector<std::pair<std::string, Settings>> sweep(const Settings& given) {
         points.emplace_back(fmt::format("--target-error {}", error), given);
         points.back().second.target_error = error;
     }
-    for (const std::size_t coarse : {0U, 1U, 4U, 5U}) {
+    for (const std::size_t coarse : {0U, 1U, 4U, 5U, 6U}) {
         auto point = points[coarse];
         point.first += " --denoise on";
         point.second.denoise = Switch::on;

@@ -31,7 +31,7 @@ std::string row_html(const TradePoint& point, bool recommended) {
     return fmt::format(
         "<tr{}><td><code>{}</code>{}</td><td>{:.0f}</td><td>{:.2f}</td><td>{:.2f}</td><td>{:.2f}</td><td>{:.1f}</td>"
         "<td>{:+.3f}</td><td>{:.2f}</td><td>{}</td></tr>\n",
-        recommended ? " class='recommended'" : "", escaped(point.flags), recommended ? " ← recommended" : "",
+        recommended ? " class='recommended'" : "", escaped(point.flags), recommended ? "<br>↑ recommended" : "",
         point.rays_a_texel, point.seconds, percent(point.error.relative_rmse), percent(point.error.percentile_99),
         percent(point.error.maximum), percent(point.error.bias), point.color_difference, point.on_frontier ? "●" : "");
 }
@@ -44,7 +44,7 @@ std::string figure_html(const std::string& picture, const std::string& caption) 
 constexpr const char* page_style = R"(
 :root{color-scheme:light dark;--ink:#1b1e23;--paper:#fff;--soft:#667;--line:#ccd;--a:#c2410c;--b:#1d4ed8;--c:#15803d;--mark:#fef3c7}
 @media(prefers-color-scheme:dark){:root{--ink:#e8eaf0;--paper:#15171c;--soft:#9aa3b2;--line:#333a46;--a:#fb923c;--b:#7aa2ff;--c:#4ade80;--mark:#3b3416}}
-body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:60rem;margin:2rem auto;padding:0 1rem}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:64rem;margin:2rem auto;padding:0 1rem}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 td,th{padding:.3rem .6rem;text-align:right;border-bottom:1px solid var(--line)}
 td:first-child,th:first-child{text-align:left;white-space:nowrap}.recommended{background:var(--mark)}
@@ -96,9 +96,8 @@ std::string trade_page(const Trade& trade) {
         "<title>{0}: speed for accuracy</title><style>{1}</style>\n"
         "<h1>{0}: speed for accuracy</h1>\n<p>Light maps of {2} × {2} texels under the sky <code>{3}</code>, measured "
         "against a "
-        "bake of 0.05 % error and another seed.</p>\n{4}<p>Blue: the same rays for every texel; orange: rays where "
-        "they are "
-        "needed; green: either, denoised. Dashed: the frontier, nothing that was tried is faster and better.</p>\n"
+        "bake of 0.05 % error and another seed.</p>\n{4}<p>Dashed: the frontier, nothing that was tried is "
+        "faster and better.</p>\n"
         "<table><thead><tr><th></th><th>rays a texel</th><th>seconds</th><th>RMSE %</th><th>99th %</th><th>max %</th>"
         "<th>bias %</th><th>colour</th><th>frontier</th></tr></thead>\n<tbody>\n{5}</tbody></table>\n"
         "<p>Errors are those of the maps, against the reference; <em>colour</em> is how different a picture of the "

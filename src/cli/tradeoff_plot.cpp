@@ -81,6 +81,22 @@ std::string axes_svg(const Axis& x, const Axis& y) {
                              0.5 * (left_margin + plot_width), plot_height - 12.0, 0.5 * plot_height);
 }
 
+/// In the corner where points would be slow and bad.
+std::string legend_svg() {
+    constexpr std::array<std::array<const char*, 2>, 3> entries{{{"even", "as many rays for every texel"},
+                                                                 {"adaptive", "rays where they are needed"},
+                                                                 {"denoised", "denoised"}}};
+    const double x = plot_width - right_margin - 205.0;
+    double y = upper_margin + 14.0;
+    std::string svg;
+    for (const auto& [name, text] : entries) {
+        svg += fmt::format("<circle class='{}' cx='{}' cy='{}' r='5'/><text x='{}' y='{}'>{}</text>\n", name, x, y,
+                           x + 12.0, y + 4.0, text);
+        y += 20.0;
+    }
+    return svg;
+}
+
 struct Box {
     double left = 0.0;
     double top = 0.0;
@@ -106,15 +122,27 @@ Box dot_of(const Mark& mark) {
 }
 
 /// The places of a label beside its point, the best first.
-std::array<Box, 6> places_of(const Mark& mark) {
+std::array<Box, 8> places_of(const Mark& mark) {
     constexpr double a_letter = 6.9; // of the plot's font, about
     constexpr double height = 15.0;
     const double width = a_letter * static_cast<double>(mark.text.size());
     const auto box = [&](double left, double top) { return Box{left, top, left + width, top + height}; };
     const double right = mark.x + 9.0;
     const double left = mark.x - 9.0 - width;
-    return {box(right, mark.y - 17.0), box(right, mark.y + 2.0),  box(left, mark.y + 2.0),
-            box(left, mark.y - 17.0),  box(right, mark.y + 16.0), box(left, mark.y + 16.0)};
+    return {box(right, mark.y - 17.0),
+            box(right, mark.y + 2.0),
+            box(left, mark.y + 2.0),
+            box(left, mark.y - 17.0),
+            box(right, mark.y + 16.0),
+            box(left, mark.y + 16.0),
+            box(mark.x - 0.5 * width, mark.y - 22.0),
+            box(mark.x - 0.5 * width, mark.y + 7.0)};
+}
+
+/// The colour says that a point is denoised.
+std::string label_of(const TradePoint& point) {
+    const std::string flags = point.flags.substr(2);
+    return flags.substr(0, flags.find(" --denoise on"));
 }
 
 /// The points with their labels, each where it hides no point and no label before it, if there is such a place.
@@ -122,7 +150,7 @@ std::vector<Mark> marks(const std::vector<TradePoint>& points, const Axis& x, co
     std::vector<Mark> result;
     result.reserve(points.size());
     for (const TradePoint& point : points) {
-        result.push_back({&point, x.place(seconds_of(point)), y.place(percent_of(point)), point.flags.substr(2), {}});
+        result.push_back({&point, x.place(seconds_of(point)), y.place(percent_of(point)), label_of(point), {}});
     }
     for (std::size_t index = 0; index < result.size(); ++index) {
         const auto is_free = [&](const Box& place) {
@@ -132,7 +160,7 @@ std::vector<Mark> marks(const std::vector<TradePoint>& points, const Axis& x, co
             return place.left > left_margin && place.right < plot_width &&
                    std::none_of(result.begin(), before, label_meets) && std::ranges::none_of(result, dot_meets);
         };
-        const std::array<Box, 6> places = places_of(result[index]);
+        const std::array<Box, 8> places = places_of(result[index]);
         const auto* const found = std::ranges::find_if(places, is_free);
         result[index].label = found != places.end() ? *found : places.front();
     }
@@ -144,13 +172,14 @@ std::string style_svg(PlotGround ground) {
     const auto color = [ground](const char* name, const char* plain) {
         return ground == PlotGround::page ? fmt::format("var(--{},{})", name, plain) : std::string(plain);
     };
-    return fmt::format("<style>\n.plot text{{font:13px system-ui,sans-serif;fill:{}}}"
+    return fmt::format("<style>\n.plot text{{font:13px system-ui,sans-serif;fill:{};"
+                       "paint-order:stroke;stroke:{};stroke-width:3}}\n"
                        ".plot .grid{{stroke:{};stroke-width:.6}}\n"
                        ".plot .even{{fill:{};stroke:none}}.plot .denoised{{fill:{};stroke:none}}\n"
                        ".plot .adaptive{{fill:{};stroke:none}}\n"
                        ".plot .frontier{{fill:none;stroke:{};stroke-width:1.5;stroke-dasharray:5 4}}\n</style>\n{}",
-                       color("ink", "#333"), color("line", "#bbb"), color("b", "#2563eb"), color("c", "#15803d"),
-                       color("a", "#ea580c"), color("soft", "#888"),
+                       color("ink", "#333"), color("paper", "#fff"), color("line", "#bbb"), color("b", "#2563eb"),
+                       color("c", "#15803d"), color("a", "#ea580c"), color("soft", "#888"),
                        ground == PlotGround::white ? "<rect width='100%' height='100%' fill='#fff'/>\n" : "");
 }
 
@@ -162,7 +191,7 @@ std::string trade_plot(const Trade& trade, PlotGround ground) {
     std::string svg = fmt::format(
         "<svg xmlns='http://www.w3.org/2000/svg' class='plot' viewBox='0 0 {0} {1}' width='{0}' height='{1}'>\n",
         plot_width, plot_height);
-    svg += style_svg(ground) + axes_svg(x, y);
+    svg += style_svg(ground) + axes_svg(x, y) + legend_svg();
     std::vector<TradePoint> frontier;
     std::copy_if(trade.points.begin(), trade.points.end(), std::back_inserter(frontier),
                  [](const TradePoint& point) { return point.on_frontier; });
