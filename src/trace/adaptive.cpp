@@ -48,9 +48,11 @@ public:
         take_pilot();
         while (true) {
             m_estimate = m_map.estimate();
-            m_result.reached = is_reached();
             const std::vector<TileNeed> needs = smoothed_needs();
-            const std::vector<TileOrder> orders = m_stopped ? std::vector<TileOrder>() : next_orders(needs);
+            std::vector<TileOrder> orders = m_stopped ? std::vector<TileOrder>() : next_orders(needs);
+            if (orders.empty() && !m_stopped && leaves_too_much()) {
+                orders = next_orders(needs);
+            }
             if (orders.empty()) {
                 finish(needs);
                 return m_result;
@@ -60,27 +62,22 @@ public:
     }
 
 private:
-    /// Lowers the noise that may be left where a filter leaves too much of it.
-    bool is_reached() {
-        if (!m_goal.error) {
-            return true;
+    /// Whether a filter does, though the noise is what it may be: then that is lowered.
+    bool leaves_too_much() {
+        if (!m_goal.error || !m_goal.left || m_noise <= *m_goal.error || m_estimate.relative_rmse() > m_noise ||
+            m_estimate.relative_rmse() <= 0.0) {
+            return false;
         }
-        while (m_estimate.relative_rmse() <= m_noise) {
-            if (m_noise <= *m_goal.error || m_estimate.relative_rmse() <= 0.0) {
-                return true;
-            }
-            const double left = m_goal.left();
-            m_result.judged = true;
-            m_left_share = left / m_estimate.relative_rmse();
-            if (left <= *m_goal.error) {
-                return true;
-            }
-            constexpr double least_step = 0.9;
-            m_noise = m_estimate.relative_rmse() *
-                      std::min(std::pow(aim * *m_goal.error / left, 1.0 / fall_of_left(left)), least_step);
-            m_noise = std::max(m_noise, *m_goal.error);
+        const double left = m_goal.left();
+        m_result.judged = true;
+        m_left_share = left / m_estimate.relative_rmse();
+        if (left <= *m_goal.error) {
+            return false;
         }
-        return false;
+        constexpr double least_step = 0.9;
+        const double share = std::pow(aim * *m_goal.error / left, 1.0 / fall_of_left(left));
+        m_noise = std::max(m_estimate.relative_rmse() * std::min(share, least_step), *m_goal.error);
+        return true;
     }
 
     /// As which power of the noise that falls which is left of it: as from the last time to this.
@@ -185,7 +182,7 @@ private:
     }
 
     [[nodiscard]] std::vector<TileOrder> orders_in_time(const std::vector<TileNeed>& needs) {
-        if (m_goal.error && m_result.reached) {
+        if (m_goal.error && m_estimate.relative_rmse() <= m_noise) {
             return {};
         }
         const double samples = seconds_until(*m_goal.deadline) * m_samples_a_second;
@@ -199,7 +196,7 @@ private:
 
     [[nodiscard]] std::vector<TileOrder> orders_of(const Allocation& allocation) {
         constexpr double may_not_do = 1.5; // until a filter was asked
-        m_foretold = (m_result.samples + allocation.samples) * (m_goal.left ? may_not_do : 1.0);
+        m_foretold = (m_result.samples + allocation.samples) * (m_goal.left && !m_judgement ? may_not_do : 1.0);
         std::vector<TileOrder> orders;
         for (std::size_t tile = 0; tile < allocation.doublings.size(); ++tile) {
             const unsigned doublings = std::min<unsigned>(allocation.doublings[tile], doublings_a_pass);

@@ -25,7 +25,6 @@ struct AdaptiveGoal {
 using AdaptiveReport = std::function<void(double share, double error)>;
 
 struct AdaptiveResult {
-    bool reached = true;       ///< the error; false where most_rays, or the time, did not allow it
     std::uint64_t uniform = 0; ///< samples a texel that would do as well if all texels had the same number
     double best_samples = 0.0; ///< over all texels: the least that the measured variances allow for this error
     double samples = 0.0;      ///< taken
@@ -40,8 +39,8 @@ struct AdaptiveResult {
 /// map's: of sixteen texels and more, so a texel's own luck hardly decides whether it gets more rays, which would bias
 /// it. Without a deadline a pure function of the samples, and of what `left` says.
 ///
-/// Where the map is filtered, more noise is left in than may be left over: how much more, the first answer of `left` is
-/// asked for at four times the error, and goes by that from there on.
+/// Where the map is filtered it may have more noise than the error asked for: four times as much at first, and less
+/// where `left` then says that the filter leaves too much.
 AdaptiveResult sample_adaptively(SampledMap& map, const Samplers& samplers, const AdaptiveGoal& goal,
                                  const AdaptiveReport& report);
 

@@ -164,7 +164,7 @@ void trace_adaptively(SampledMap& sampled, const Samplers& samplers, AdaptiveGoa
         writer.write(sampled, map);
     }
     const auto texels = static_cast<double>(std::max<std::size_t>(sampled.texel_count(), 1));
-    map.error->target_reached = result.reached;
+    map.error->target_reached = !goal.error || map.error->relative_rmse <= *goal.error;
     map.error->mean_rays = result.samples / texels;
     map.error->best_mean_rays = result.best_samples / texels;
     map.error->uniform_rays = static_cast<double>(result.uniform);
