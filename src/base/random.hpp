@@ -13,10 +13,4 @@ namespace vkbake {
     return value ^ (value >> 31U);
 }
 
-/// The key of texel (x, y): depends on the seed and the texel's place in its map, and on nothing else (no index of a
-/// triangle, node or map), so that a scene that is cut up or ordered otherwise keeps its bits.
-[[nodiscard]] constexpr std::uint64_t texel_key(std::uint64_t seed, std::uint32_t x, std::uint32_t y) {
-    return mix64(mix64(seed + 0x9E3779B97F4A7C15ULL) ^ ((static_cast<std::uint64_t>(x) << 32U) | y));
-}
-
 } // namespace vkbake

@@ -40,22 +40,45 @@ namespace vkbake {
     return word;
 }
 
+/// What is added, exclusive or, to all points of a sequence before it is scrambled: their coordinates' digits,
+/// reversed.
+struct DigitalShift {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+
+    constexpr DigitalShift& operator^=(const DigitalShift& other) {
+        x ^= other.x;
+        y ^= other.y;
+        return *this;
+    }
+};
+
+/// What makes points of one's own out of the sequence. Keys that are unlike give independent scrambles; take them from
+/// a mixing function (base/random.hpp).
+struct SobolScramble {
+    std::uint64_t key = 0;
+    DigitalShift shift;
+};
+
 /// One texel's points. Any first 2^m of them, and any aligned block of 2^m, hold exactly one point in each of the
 /// elementary intervals of area 2⁻ᵐ (a (0, 2)-sequence in base 2); each single point is uniform over keys.
 class ScrambledSobol {
 public:
-    /// Two keys that are unlike give independent scrambles; take them from a mixing function (base/random.hpp).
-    explicit constexpr ScrambledSobol(std::uint64_t key)
-        : m_seed_x(static_cast<std::uint32_t>(key >> 32U)), m_seed_y(static_cast<std::uint32_t>(key)) {}
+    explicit constexpr ScrambledSobol(const SobolScramble& scramble)
+        : m_seed_x(static_cast<std::uint32_t>(scramble.key >> 32U)), m_seed_y(static_cast<std::uint32_t>(scramble.key)),
+          m_shift(scramble.shift) {}
 
     [[nodiscard]] constexpr SquarePoint point(std::uint32_t index) const {
-        return {reverse_bits(nested_scramble_reversed(index, m_seed_x)) >> 8U,
-                reverse_bits(nested_scramble_reversed(sobol_dimension_1_reversed(index), m_seed_y)) >> 8U};
+        const std::uint32_t x = index ^ m_shift.x;
+        const std::uint32_t y = sobol_dimension_1_reversed(index) ^ m_shift.y;
+        return {reverse_bits(nested_scramble_reversed(x, m_seed_x)) >> 8U,
+                reverse_bits(nested_scramble_reversed(y, m_seed_y)) >> 8U};
     }
 
 private:
     std::uint32_t m_seed_x;
     std::uint32_t m_seed_y;
+    DigitalShift m_shift;
 };
 
 } // namespace vkbake

@@ -47,25 +47,30 @@ HWY_INLINE Words nested_scramble_reversed(Words word, Words seed, Words factor) 
     return hn::Xor(word, word * set_word(0x53A22864U));
 }
 
-/// One coordinate's scramble of a part of the lanes.
+enum class Coordinate { x, y };
+
+/// One coordinate's shift and scramble of a part of the lanes.
 class Scramble {
 public:
-    /// `shift`: 32 for x, 0 for y (ScrambledSobol).
-    HWY_INLINE Scramble(const TileLanes& lanes, std::size_t first, unsigned shift)
-        : m_seed(hn::Zero(WordLanes())), m_factor(m_seed) {
+    HWY_INLINE Scramble(const LaneScrambles& scrambles, std::size_t first, Coordinate coordinate)
+        : m_seed(hn::Zero(WordLanes())), m_factor(m_seed), m_shift(m_seed) {
+        const bool in_x = coordinate == Coordinate::x; // halves as ScrambledSobol has them
         alignas(64) std::array<std::uint32_t, RayBlock::lanes> seeds{};
         for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
-            seeds[lane] = static_cast<std::uint32_t>(lanes.key[lane] >> shift);
+            seeds[lane] = static_cast<std::uint32_t>(scrambles.key[lane] >> (in_x ? 32U : 0U));
         }
         m_seed = hn::Load(WordLanes(), &seeds[first]);
+        m_shift = hn::Load(WordLanes(), in_x ? &scrambles.shift_x[first] : &scrambles.shift_y[first]);
         m_factor = hn::Or(hn::ShiftRight<16>(m_seed), set_word(1));
     }
 
     /// With its digits reversed still.
-    HWY_INLINE Words operator()(Words word) const { return nested_scramble_reversed(word, m_seed, m_factor); }
+    HWY_INLINE Words operator()(Words word) const {
+        return nested_scramble_reversed(hn::Xor(word, m_shift), m_seed, m_factor);
+    }
 
 private:
-    Words m_seed, m_factor;
+    Words m_seed, m_factor, m_shift;
 };
 
 void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, StratumTables& tables) {
@@ -74,8 +79,8 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
     alignas(64) std::array<std::uint32_t, RayBlock::lanes> rows{};
     const std::uint32_t cells = 1U << strata.bits();
     for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(words)) {
-        const Scramble in_x(lanes, first, 32);
-        const Scramble in_y(lanes, first, 0);
+        const Scramble in_x(lanes.scrambles, first, Coordinate::x);
+        const Scramble in_y(lanes.scrambles, first, Coordinate::y);
         for (std::uint32_t low = 0; low < cells; ++low) {
             hn::Store(hn::And(in_x(set_word(low)), set_word(cells - 1)), words, columns.data());
             hn::Store(hn::And(in_y(set_word(low)), set_word(cells - 1)), words, rows.data());
@@ -168,8 +173,8 @@ HWY_INLINE void place_points(const CosineStrata& strata, const std::array<Place,
     const WordLanes words;
     const Words first_index = set_word(strata.first());
     const Words index_count = set_word(strata.rays() - strata.first());
-    const Scramble in_x(lanes, first, 32);
-    const Scramble in_y(lanes, first, 0);
+    const Scramble in_x(lanes.scrambles, first, Coordinate::x);
+    const Scramble in_y(lanes.scrambles, first, Coordinate::y);
     for (std::size_t i = 0; i < RayBlock::strata; ++i) {
         const StratumTables::Rows& column = *places[i].column;
         const StratumTables::Rows& row = *places[i].row;

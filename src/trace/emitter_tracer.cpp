@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/luminance.hpp"
-#include "base/random.hpp"
 
 namespace vkbake {
 
@@ -92,10 +91,10 @@ void EmitterTracer::trace(const TileLanes& lanes, const Arrive& arrive) {
     constexpr std::uint64_t of_emitters = 0x656D6974;
     m_block.origin = lanes.origin;
     m_block.ignored_triangle = lanes.triangle;
-    for (std::size_t lane = 0; lane < lanes.key.size(); ++lane) {
-        m_own_lanes.key[lane] = mix64(lanes.key[lane] ^ of_emitters);
+    for (std::size_t lane = 0; lane < m_receivers.size(); ++lane) {
         m_receivers[lane] = receiver_of(lanes, lane);
     }
+    m_own_lanes.scrambles = lanes.scrambles.salted(of_emitters);
     m_own_lanes.covered = lanes.covered;
     invert_scrambles(*m_strata, m_own_lanes, m_tables);
     for (std::size_t number = 0; number < m_strata->block_count(); ++number) {

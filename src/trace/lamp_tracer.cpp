@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/luminance.hpp"
-#include "base/random.hpp"
 #include "base/sampling.hpp"
 
 namespace vkbake {
@@ -107,9 +106,7 @@ void LampTracer::trace(const TileLanes& lanes, LaneParts* parts) {
     trace_hard(lanes);
     if (!m_lamps->soft.empty()) {
         constexpr std::uint64_t of_lamps = 0x6C616D70; // scrambles that the sky's samples do not have
-        for (std::size_t lane = 0; lane < lanes.key.size(); ++lane) {
-            m_points_lanes.key[lane] = mix64(lanes.key[lane] ^ of_lamps);
-        }
+        m_points_lanes.scrambles = lanes.scrambles.salted(of_lamps);
         m_points_lanes.covered = lanes.covered;
         invert_scrambles(*m_strata, m_points_lanes, m_tables);
         for (std::size_t lamp = 0; lamp < m_discs.size(); ++lamp) {

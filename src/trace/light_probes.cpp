@@ -72,7 +72,7 @@ private:
                 m_lanes.origin[static_cast<std::size_t>(axis)][lane] = place[axis];
                 key = mix64(key ^ std::bit_cast<std::uint32_t>(place[axis]));
             }
-            m_lanes.key[lane] = key;
+            m_lanes.scrambles.set(lane, {key, {}});
         }
         m_lanes.covered = static_cast<RayBlock::LaneBits>((1U << places.size()) - 1U);
         m_block.origin = m_lanes.origin;

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/luminance.hpp"
-#include "base/random.hpp"
 
 namespace vkbake {
 
@@ -40,9 +39,7 @@ void PeakTracer::trace(const TileLanes& lanes, LaneParts* parts) {
     constexpr std::uint64_t of_peaks = 0x7065616B; // scrambles that neither the sky's samples nor the lamps' have
     m_block.origin = lanes.origin;
     m_block.ignored_triangle = lanes.triangle;
-    for (std::size_t lane = 0; lane < lanes.key.size(); ++lane) {
-        m_own_lanes.key[lane] = mix64(lanes.key[lane] ^ of_peaks);
-    }
+    m_own_lanes.scrambles = lanes.scrambles.salted(of_peaks);
     m_own_lanes.covered = lanes.covered;
     invert_scrambles(*m_strata, m_own_lanes, m_tables);
     for (std::size_t number = 0; number < m_strata->block_count(); ++number) {

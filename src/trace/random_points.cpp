@@ -47,7 +47,7 @@ void RandomPoints::set_points(const TileLanes& lanes, std::size_t number, RayBlo
         const Area area = asked && m_sampler == Sampler::stratified ? cell_of(sample, m_rays, m_rows) : Area{};
         const std::uint64_t salt = mix64(sample + 1U);
         for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
-            const std::uint64_t random = mix64(lanes.key[lane] ^ salt);
+            const std::uint64_t random = mix64(lanes.scrambles.random(lane) ^ salt);
             block.direction[stratum][0][lane] = centred_point(area.left + inner(random >> 32U) * area.width);
             block.direction[stratum][1][lane] = centred_point(area.top + inner(random) * area.height);
         }

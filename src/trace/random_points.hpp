@@ -10,7 +10,7 @@
 
 namespace vkbake {
 
-/// Points of the square (−1, 1)² by random numbers, each a function of its texel's key and its own number.
+/// Points of the square (−1, 1)² by random numbers, each a function of its texel's scramble and its own number.
 ///
 /// `uniform`: independent. `stratified`: one in each cell of a partition of the square into as many cells of one area:
 /// about √N rows of about √N cells, each row as high as it has cells.

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "base/random.hpp"
+#include "base/texel_scramble.hpp"
 #include "trace/ray_origin.hpp"
 #include "trace/thesis_directions.hpp"
 
@@ -22,6 +22,9 @@ void set_lanes(const Surface& surface, const GeometryImage& geometry, const Sett
                TileLanes& lanes) {
     const auto width = static_cast<std::uint32_t>(geometry.width);
     const auto& positions = surface.positions;
+    const auto scramble_of = [&](std::uint32_t texel) {
+        return texel_scramble(settings.seed, texel % width, texel / width);
+    };
     for (std::size_t lane = 0; lane < RayBlock::lanes; ++lane) {
         if (lane >= tile.count) { // as lane 0
             for (TileLanes::Rows* rows :
@@ -31,7 +34,7 @@ void set_lanes(const Surface& surface, const GeometryImage& geometry, const Sett
                 }
             }
             lanes.triangle[lane] = lanes.triangle[0];
-            lanes.key[lane] = lanes.key[0];
+            lanes.scrambles.set(lane, scramble_of(tile.texels[0]));
             continue;
         }
         const std::uint32_t texel = tile.texels[lane];
@@ -49,7 +52,7 @@ void set_lanes(const Surface& surface, const GeometryImage& geometry, const Sett
         set_lane(lanes.normal, lane, frame.normal);
         set_lane(lanes.geometric_normal, lane, geometric_normal);
         lanes.triangle[lane] = geometry.triangle[texel];
-        lanes.key[lane] = texel_key(settings.seed, texel % width, texel / width);
+        lanes.scrambles.set(lane, scramble_of(texel));
     }
     lanes.covered = static_cast<RayBlock::LaneBits>((1U << tile.count) - 1U);
 }

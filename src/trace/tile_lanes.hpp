@@ -6,6 +6,7 @@
 
 #include "base/sampling.hpp"
 #include "bvh/ray_block.hpp"
+#include "trace/lane_scrambles.hpp"
 #include "trace/texel_tiles.hpp"
 #include "vkbake/geometry_image.hpp"
 #include "vkbake/settings.hpp"
@@ -23,7 +24,7 @@ struct TileLanes {
     alignas(64) Rows normal{};                             ///< the frame's: the shading normal
     alignas(64) Rows geometric_normal{};                   ///< below its plane nothing is traced
     std::array<std::uint32_t, RayBlock::lanes> triangle{}; ///< that the texel lies on
-    std::array<std::uint64_t, RayBlock::lanes> key{};
+    LaneScrambles scrambles;
     RayBlock::LaneBits covered = 0;
 };
 

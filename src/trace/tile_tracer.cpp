@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/luminance.hpp"
-#include "base/random.hpp"
 #include "bvh/each_ray.hpp"
 
 namespace vkbake {
@@ -197,8 +196,7 @@ void TileTracer::choose_probes() {
             m_probes[lane] = no_probe;
             continue;
         }
-        // The key's own halves seed the scrambles.
-        const std::uint64_t random = mix64(m_rays.lanes().key[lane]) >> 32U;
+        const std::uint64_t random = m_rays.lanes().scrambles.random(lane) >> 32U;
         m_probes[lane] = random * m_plan->full_strata() >> 32U;
     }
 }

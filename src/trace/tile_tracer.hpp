@@ -25,7 +25,7 @@ struct LightSources {
 
 /// Traces one tile after the other, for one thread; allocates nothing after it is made.
 ///
-/// Of each texel one sample, which its key chooses, is a *probe*: where its ray is blocked, the nearest hit is asked
+/// Of each texel one sample, which chance chooses, is a *probe*: where its ray is blocked, the nearest hit is asked
 /// for, to see whether it is a back side. So over a map the probes are spread as its rays are, at the cost of a few in
 /// a thousand.
 class TileTracer final : public TileSampler {

@@ -1,12 +1,15 @@
 #include "base/sampling_sobol.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "base/random.hpp"
+#include "base/texel_scramble.hpp"
 #include "chi_squared.hpp"
 
 namespace vkbake {
@@ -26,8 +29,8 @@ TEST(Sobol, DimensionOneFollowsTheRecurrenceOfItsDirectionNumbers) {
 }
 
 TEST(Sobol, EveryElementaryIntervalHoldsOnePointUnderEveryScramble) {
-    for (std::uint64_t texel = 0; texel < 32; ++texel) {
-        const ScrambledSobol points(mix64(texel + 1));
+    for (std::uint32_t texel = 0; texel < 32; ++texel) {
+        const ScrambledSobol points(texel_scramble(3, texel, 5 * texel));
         for (unsigned m = 0; m <= 10; ++m) {
             const std::uint32_t size = 1U << m;
             for (const std::uint32_t first : {0U, size, 5U * size}) {
@@ -61,7 +64,7 @@ TEST(Sobol, ScrambleIsNested) {
 
 TEST(Sobol, ScramblesDependOnSeedAndTexelAndNothingElse) {
     const auto first_points = [](std::uint64_t seed, std::uint32_t x, std::uint32_t y) {
-        const ScrambledSobol points(texel_key(seed, x, y));
+        const ScrambledSobol points(texel_scramble(seed, x, y));
         std::array<std::uint32_t, 8> values{};
         for (std::uint32_t i = 0; i < 4; ++i) {
             values[2 * i] = points.point(i).x;
@@ -77,7 +80,7 @@ TEST(Sobol, ScramblesDependOnSeedAndTexelAndNothingElse) {
     EXPECT_NE(here, first_points(7, 34, 12));
 }
 
-TEST(Sobol, NeighbouringTexelsAreIndependent) {
+TEST(Sobol, TexelsOfUnlikeSquaresAreIndependent) {
     // Two texels' points of one number in 4 × 4 cells each: 256 cells of pairs, 64 pairs expected in each.
     struct Step {
         std::uint32_t x, y, index;
@@ -87,16 +90,92 @@ TEST(Sobol, NeighbouringTexelsAreIndependent) {
         std::vector<std::uint32_t> counts(256, 0);
         for (std::uint32_t y = 0; y < 128; ++y) {
             for (std::uint32_t x = 0; x < 128; ++x) {
-                // Pairs lie 16 texels apart: no texel serves twice.
-                const std::uint32_t left = 16 * x;
-                const std::uint32_t top = 16 * y;
-                const SquarePoint a = ScrambledSobol(texel_key(0, left, top)).point(step.index);
-                const SquarePoint b = ScrambledSobol(texel_key(0, left + step.x, top + step.y)).point(step.index);
+                // A square's last texel; pairs lie 16 texels apart: no texel serves twice.
+                const std::uint32_t left = 16 * x + 3;
+                const std::uint32_t top = 16 * y + 3;
+                const SquarePoint a = ScrambledSobol(texel_scramble(0, left, top)).point(step.index);
+                const SquarePoint b = ScrambledSobol(texel_scramble(0, left + step.x, top + step.y)).point(step.index);
                 ++counts[((a.x >> 22U) << 6U) | ((a.y >> 22U) << 4U) | ((b.x >> 22U) << 2U) | (b.y >> 22U)];
             }
         }
         EXPECT_GT(test::uniform_p_value(counts), test::corrected_level(0.01, static_cast<int>(steps.size())))
             << "step " << step.x << ", " << step.y << " sample " << step.index;
+    }
+}
+
+/// The share of the unit square in which cos · (x − ½) + sin · (y − ½) < offset: the cut cone above a line, as the sum
+/// of the squares of the corners' depths with the signs of an inclusion and exclusion.
+double area_before_edge(double cosine, double sine, double offset) {
+    const double a = std::abs(cosine);
+    const double b = std::abs(sine);
+    const double depth = offset + (a + b) / 2.0;
+    const auto squared = [](double some) { return some > 0.0 ? some * some : 0.0; };
+    return (squared(depth) - squared(depth - a) - squared(depth - b) + squared(depth - a - b)) / (2.0 * a * b);
+}
+
+constexpr std::uint32_t square_side = 1U << square_bits;
+using SquareErrors = std::array<std::array<double, square_side>, square_side>;
+
+/// Of a square's texels that all see the same edge, by `rays` samples each.
+SquareErrors errors_at_edge(std::uint32_t square, std::uint32_t rays) {
+    const auto random = [&](std::uint64_t salt) {
+        return static_cast<double>(mix64(mix64(square) ^ salt) >> 11U) * 0x1p-53;
+    };
+    const double angle = 6.283185307179586 * random(1);
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    const double offset = (random(2) - 0.5) * (std::abs(cosine) + std::abs(sine));
+    SquareErrors errors{};
+    for (std::uint32_t y = 0; y < square_side; ++y) {
+        for (std::uint32_t x = 0; x < square_side; ++x) {
+            const ScrambledSobol points(texel_scramble(11, square_side * square + x, square_side * square + y));
+            std::uint32_t count = 0;
+            for (std::uint32_t i = 0; i < rays; ++i) {
+                const SquarePoint point = points.point(i);
+                const double depth =
+                    cosine * ((point.x + 0.5) * 0x1p-24 - 0.5) + sine * ((point.y + 0.5) * 0x1p-24 - 0.5);
+                count += depth < offset ? 1 : 0;
+            }
+            errors[y][x] = static_cast<double>(count) / rays - area_before_edge(cosine, sine, offset);
+        }
+    }
+    return errors;
+}
+
+/// The mean square of the errors of means over aligned blocks of side × side texels.
+double mean_square(const SquareErrors& errors, std::size_t side) {
+    double squares = 0.0;
+    for (std::size_t top = 0; top < square_side; top += side) {
+        for (std::size_t left = 0; left < square_side; left += side) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < side * side; ++i) {
+                sum += errors[top + i / side][left + i % side];
+            }
+            const double mean = sum / static_cast<double>(side * side);
+            squares += mean * mean;
+        }
+    }
+    return squares / static_cast<double>(square_side * square_side / (side * side));
+}
+
+TEST(Sobol, ErrorsOfNeighboursCancelAtEdges) {
+    // Independent texels would leave 1 in each. tools/accuracy/search_shifts.cpp foretells the shifts' mean over all
+    // these blocks and ways to lie: about a half.
+    constexpr std::array<double, 2> most{1.0, 0.5}; // of 2 and 4 texels a side
+    for (const std::uint32_t rays : {16U, 32U, 64U, 128U, 256U, 512U}) {
+        double texel = 0.0;
+        std::array<double, 2> block{};
+        for (std::uint32_t square = 0; square < 1600; ++square) {
+            const SquareErrors errors = errors_at_edge(square, rays);
+            texel += mean_square(errors, 1);
+            for (std::size_t level = 0; level < block.size(); ++level) {
+                block[level] += mean_square(errors, std::size_t{2} << level);
+            }
+        }
+        for (std::size_t level = 0; level < block.size(); ++level) {
+            const auto texels = static_cast<double>(std::size_t{4} << (2 * level));
+            EXPECT_LT(texels * block[level] / texel, most[level]) << rays << " rays, " << texels << " texels";
+        }
     }
 }
 

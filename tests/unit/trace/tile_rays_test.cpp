@@ -132,7 +132,7 @@ TEST(TileRays, AreTheSamplesOfTheSequenceCellByCell) {
                 const std::uint32_t round = strata.round(stratum);
                 const unsigned shift = 24U - strata.bits();
                 for (std::uint32_t lane = 0; lane < 16; ++lane) {
-                    const ScrambledSobol points(texel_key(settings.seed, lane % 7, lane / 7));
+                    const ScrambledSobol points(texel_scramble(settings.seed, lane % 7, lane / 7));
                     const bool active = ((some.active[i] >> lane) & 1U) != 0;
                     std::uint32_t index = round << (2 * strata.bits());
                     const std::uint32_t end = index + (1U << (2 * strata.bits()));
