@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "accuracy/measure.hpp"
+#include "base/luminance.hpp"
 
 namespace {
 
@@ -39,8 +40,7 @@ double told_error(const Bake& bake) {
         double mean = 0.0;
         for (std::size_t texel = 0; texel < map.image.texels.size(); ++texel) {
             if (map.image.coverage[texel] > 0.5F) {
-                const glm::dvec4 color(map.image.texels[texel]);
-                mean += (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b) / covered;
+                mean += luminance(glm::dvec3(map.image.texels[texel])) / covered;
             }
         }
         squares += covered * std::pow(map.error->relative_rmse * mean, 2.0);
