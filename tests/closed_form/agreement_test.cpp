@@ -25,7 +25,7 @@ glm::vec3 place(std::uint64_t key) { return {number(3 * key), number(3 * key + 1
 /// Triangles of all sizes, some of them upon each other, in a heap.
 Surface heap() {
     test::SurfaceMaker maker;
-    for (std::uint64_t i = 0; i < test::amount(120U, 16U); ++i) {
+    for (std::uint64_t i = 0; i < test::amount(120U, 32U); ++i) {
         const glm::vec3 middle = 0.7F * place(4 * i);
         const float size = i % 5 == 0 ? 0.3F : 0.08F;
         maker.add(middle + size * place(4 * i + 1), middle + size * place(4 * i + 2), middle + size * place(4 * i + 3));

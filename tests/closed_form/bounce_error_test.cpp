@@ -84,7 +84,7 @@ TEST(BounceError, IntervalsHoldTheTruth) {
     // A small lamp that rays seek beside a dim sky; a wide one that most rays meet; one that is all the light there is.
     for (const LampAndSky& floor : {LampAndSky{0.1, 30.0, 0.2}, LampAndSky{1.0, 1.0, 0.6}, LampAndSky{0.5, 5.0, 0.0}}) {
         FloorTally tally;
-        for (std::uint32_t seed = 1; seed <= test::amount(8U, 1U); ++seed) {
+        for (std::uint32_t seed = 1; seed <= test::amount(16U, 4U); ++seed) {
             Settings settings = estimated(64);
             settings.seed = seed;
             tally.add(floor.bake(settings), floor);
