@@ -74,8 +74,9 @@ Levels edge_energies(Random& random) {
         const double across = random.number() * side;
         const double down = random.number() * side;
         for (std::size_t i = 0; i < image.size(); ++i) {
+            const std::size_t row = i / side;
             const double x = static_cast<double>(i % side) + 0.5 - across;
-            const double y = static_cast<double>(i / side) + 0.5 - down;
+            const double y = static_cast<double>(row) + 0.5 - down;
             image[i] = std::min(1.0, std::max(0.0, 0.5 - x * std::cos(angle) - y * std::sin(angle)));
         }
         for (std::size_t length = side; length > 1; length /= 2) {

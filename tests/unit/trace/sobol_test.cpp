@@ -155,7 +155,7 @@ double mean_square(const SquareErrors& errors, std::size_t side) {
             squares += mean * mean;
         }
     }
-    return squares / static_cast<double>(square_side * square_side / (side * side));
+    return squares * static_cast<double>(side * side) / (square_side * square_side);
 }
 
 TEST(Sobol, ErrorsOfNeighboursCancelAtEdges) {
