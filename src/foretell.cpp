@@ -8,6 +8,7 @@
 #include "base/random.hpp"
 #include "geometry_image/reference.hpp"
 #include "opacity.hpp"
+#include "trace/cell_visibility.hpp"
 #include "trace/contrasts.hpp"
 #include "trace/known_light.hpp"
 #include "trace/tracer.hpp"
@@ -39,8 +40,22 @@ Settings pilot_settings(Settings settings) {
     return settings;
 }
 
-/// How many times the rays a map has will be taken for what is asked. `share`: of all texels those that were traced.
-double more_rays(const LightMap& map, const Settings& settings, double share) {
+/// As which power of its samples a map's rays grow: where answers are reused more and more of them take none.
+double growth_of_rays(const LightMap& map) {
+    const LightMapStatistics& statistics = map.statistics;
+    const auto texels = static_cast<double>(statistics.covered_texels);
+    const double rays = static_cast<double>(statistics.rays + statistics.skipped_directions) / texels;
+    const double samples = rays + static_cast<double>(statistics.spared_rays) / texels;
+    if (statistics.spared_rays == 0) {
+        return 1.0;
+    }
+    constexpr double traced = KnownCells::least_samples; // the first so many all are
+    return std::clamp(std::log(rays / traced) / std::log(samples / traced), 0.5, 1.0);
+}
+
+/// How many times the samples a map has will be taken for what is asked. `share`: of all texels those that were traced;
+/// `growth`: growth_of_rays.
+double more_samples(const LightMap& map, const Settings& settings, double share, double growth) {
     double factor = 1.0;
     if (settings.target_error && *settings.target_error < least_error) {
         factor = std::pow(*settings.target_error / map.error->relative_rmse, 1.0 / map.error->slope);
@@ -48,7 +63,7 @@ double more_rays(const LightMap& map, const Settings& settings, double share) {
         factor = static_cast<double>(settings.rays) / static_cast<double>(std::min(settings.rays, most_rays));
     }
     if (settings.seconds) {
-        const double in_time = *settings.seconds * share / map.statistics.seconds;
+        const double in_time = std::pow(*settings.seconds * share / map.statistics.seconds, 1.0 / growth);
         factor = settings.target_error ? std::min(factor, in_time) : std::max(in_time, 1.0);
     }
     return settings.sampler == Sampler::thesis ? 1.0 : factor;
@@ -57,17 +72,17 @@ double more_rays(const LightMap& map, const Settings& settings, double share) {
 /// Of all maps together.
 class Total {
 public:
-    /// `texels`: that `map` stands for; `factor`: more_rays.
-    void add(const LightMap& map, double texels, double factor) {
+    /// `texels`: that `map` stands for; of its samples and of its rays there will be so many times as many.
+    void add(const LightMap& map, double texels, double more_samples, double more_rays) {
         const double scale = texels / static_cast<double>(map.statistics.covered_texels);
         const auto rays =
             static_cast<double>(map.statistics.rays + map.statistics.lamp_rays + map.statistics.peak_rays);
         m_texels += texels;
-        m_trace.rays += scale * factor * rays;
-        m_trace.seconds += scale * factor * map.statistics.seconds;
+        m_trace.rays += scale * more_rays * rays;
+        m_trace.seconds += scale * more_rays * map.statistics.seconds;
         if (const std::optional<KnownLight> known = known_light(map)) {
             m_light += texels * known->mean;
-            m_squares += texels * known->variance * std::pow(factor, 2.0 * map.error->slope);
+            m_squares += texels * known->variance * std::pow(more_samples, 2.0 * map.error->slope);
             m_told = true;
         }
     }
@@ -121,7 +136,9 @@ ForetoldTrace foretell_trace(const Scene& scene, const Surface& surface, const A
             deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(seconds);
         }
         const LightMap map = tracer.trace(geometry, {}, deadline);
-        total.add(map, texels / wanted_share, more_rays(map, settings, texels / static_cast<double>(covered_texels)));
+        const double growth = growth_of_rays(map);
+        const double factor = more_samples(map, settings, texels / static_cast<double>(covered_texels), growth);
+        total.add(map, texels / wanted_share, factor, std::pow(factor, growth));
     }
     return total.finish(static_cast<double>(covered_texels));
 }

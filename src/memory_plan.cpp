@@ -42,9 +42,9 @@ constexpr std::uint64_t copied_work_texel_bytes = 24;
 /// Of it, with what is touched: its geometry image 40 and tiles 9, or its file as it is encoded.
 constexpr std::uint64_t touched_work_texel_bytes = 52;
 /// Where errors are estimated: standard error and rays of every map, and of the one that is worked on each covered
-/// texel's samples and orders 100.
+/// texel's samples and orders 100, and a sixteenth of what its tile's rays met 17.
 constexpr std::uint64_t estimated_map_texel_bytes = 8;
-constexpr std::uint64_t estimated_work_texel_bytes = 100;
+constexpr std::uint64_t estimated_work_texel_bytes = 117;
 /// Of the one map that is worked on, where bounces are estimated: standard error and rays of the bounce's own.
 constexpr std::uint64_t estimated_bounce_texel_bytes = 8;
 /// Of the one map that is denoised: each texel's variance, what the filter reads 48 and what it makes 20.
@@ -198,7 +198,7 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
                     .bounces = settings.bounces > 0 || has_probes(scene, settings),
                     .directional = settings.directional == Switch::on,
                     .estimated = settings.estimate_error || settings.target_error || settings.seconds ||
-                                 settings.denoise == Switch::on,
+                                 settings.denoise == Switch::on || reuses_visibility(settings),
                     .denoised = settings.denoise == Switch::on};
     need.copied = need.bounces || need.directional || need.estimated || settings.mode == Mode::bent_normal;
     if (atlas != nullptr && !atlas->pages.empty()) {

@@ -21,6 +21,7 @@ struct LightMapStatistics {
     std::uint64_t occluded_rays = 0;      ///< of those: nothing comes along them
     std::uint64_t filtered_rays = 0;      ///< of those: met a triangle that is not opaque, and were looked up there
     std::uint64_t skipped_directions = 0; ///< at or below the geometric plane: add nothing, not traced
+    std::uint64_t spared_rays = 0;        ///< samples without a ray: Settings::reuse
     std::uint64_t probed_hits = 0;        ///< hits among the rays whose nearest hit was looked at (one a texel)
     std::uint64_t back_side_hits = 0;     ///< of those, on a triangle's back
     std::uint64_t bounce_rays = 0;        ///< traced beside `rays`, for what surfaces reflect and emit
@@ -45,10 +46,10 @@ struct MapError {
     double noise_rmse = 0.0;
     bool target_reached =
         true; ///< false where 65536 rays a texel, or the time, were too few for Settings::target_error
-    // Samples a texel, those at or below the geometric plane among them; 0 where all texels were given the same number
-    double mean_rays = 0.0;
-    double best_mean_rays = 0.0; ///< the least that the measured variances allow for this error
-    double uniform_rays = 0.0;   ///< that would do as well if all texels had the same number: foretold
+    // Rays a texel, and samples at or below the geometric plane; 0 where all texels were given the same number
+    double mean_rays = 0.0;      ///< without those that Settings::reuse spared
+    double best_mean_rays = 0.0; ///< the least that the measured variances allow for this error, each sample a ray
+    double uniform_rays = 0.0;   ///< that would do as well if all texels had the same number, each a ray: foretold
     double slope = 0.0;          ///< of log error against log rays, as this map's samples show it
 };
 

@@ -50,9 +50,9 @@ void print_error(const MapError& error) {
         fmt::print("  {:<24} {:.2g} % before it was denoised\n", "", 100.0 * error.noise_rmse);
     }
     if (error.mean_rays > 0.0) {
-        fmt::print(
-            "  {:<24} {:.0f} rays a texel of direct light; {:.0f} for all alike would do as well, {:.0f} at best\n", "",
-            error.mean_rays, error.uniform_rays, error.best_mean_rays);
+        fmt::print("  {:<24} {:.0f} rays a texel of direct light; as many samples for all alike, {:.0f}, would do as "
+                   "well\n",
+                   "", error.mean_rays, error.uniform_rays);
     }
     if (!error.target_reached) {
         fmt::print("  {:<24} note: the error asked for was not reached\n", "");

@@ -146,6 +146,7 @@ int run_tradeoff(TradeoffOptions options) {
     Settings settings = options.settings;
     settings.seed = options.settings.seed + 1;
     settings.target_error = reference_error;
+    settings.reuse = Switch::off;
     const Bake reference = bake(scene, sky, settings, device, progress);
     Trade trade{.scene = scene.name, .sky = sky.name, .size = options.settings.size};
     const DetailPlace place = choose_detail(reference);

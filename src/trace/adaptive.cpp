@@ -103,22 +103,32 @@ private:
     void extend(const std::vector<TileOrder>& orders) {
         const auto start = Clock::now();
         double samples = 0.0;
+        double work = 0.0;
         for (const TileOrder& order : orders) {
-            samples += static_cast<double>(order.rays - m_map.rays(order.tile)) *
-                       static_cast<double>(m_map.tiles()[order.tile].count);
+            const double some = static_cast<double>(order.rays - m_map.rays(order.tile)) *
+                                static_cast<double>(m_map.tiles()[order.tile].count);
+            samples += some;
+            work += cost(order.tile) * some;
         }
-        const double before = m_result.samples;
+        const double before = m_work;
         const bool first = before == 0.0; // the pilot is taken whole
         const std::size_t done = m_map.extend(orders, m_samplers, [&](std::size_t count) {
             const double share = orders.empty() ? 1.0 : static_cast<double>(count) / static_cast<double>(orders.size());
-            tell((before + share * samples) / m_foretold);
+            tell((before + share * work) / m_foretold);
             return first || !m_goal.deadline || seconds_until(*m_goal.deadline) > 0.0;
         });
         const double share = orders.empty() ? 1.0 : static_cast<double>(done) / static_cast<double>(orders.size());
         m_result.samples += share * samples;
-        m_samples_a_second = share * samples / std::chrono::duration<double>(Clock::now() - start).count();
+        m_work += share * work;
+        m_work_a_second = share * work / std::chrono::duration<double>(Clock::now() - start).count();
         m_stopped = done < orders.size();
         m_result.judged = false;
+    }
+
+    /// Of a tile's next samples: those that take no ray are to be made all the same.
+    [[nodiscard]] double cost(std::size_t tile) const {
+        constexpr double without_ray = 0.2;
+        return without_ray + (1.0 - without_ray) * m_map.traced_share(tile);
     }
 
     void tell(double share) {
@@ -148,8 +158,8 @@ private:
             const double mean =
                 (1.0 - of_neighbours - of_map) * at_pilot[tile] + of_neighbours * beside + of_map * whole;
             const std::uint32_t texels = m_map.tiles()[tile].count;
-            needs[tile] = {texels, m_map.rays(tile),
-                           scale * mean * texels * fallen(m_estimate.ratio, m_map.rays(tile))};
+            needs[tile] = {texels, m_map.rays(tile), scale * mean * texels * fallen(m_estimate.ratio, m_map.rays(tile)),
+                           cost(tile)};
         }
         return needs;
     }
@@ -185,18 +195,18 @@ private:
         if (m_goal.error && m_estimate.relative_rmse() <= m_noise) {
             return {};
         }
-        const double samples = seconds_until(*m_goal.deadline) * m_samples_a_second;
+        const double work = seconds_until(*m_goal.deadline) * m_work_a_second;
         // Less than this would not pay for its own deciding.
         constexpr double worthwhile = 0.01;
-        if (samples < worthwhile * m_result.samples) {
+        if (work < worthwhile * m_work) {
             return {};
         }
-        return orders_of(allocate_for_samples(needs, m_estimate.ratio, samples));
+        return orders_of(allocate_for_work(needs, m_estimate.ratio, work));
     }
 
     [[nodiscard]] std::vector<TileOrder> orders_of(const Allocation& allocation) {
         constexpr double may_not_do = 1.5; // until a filter was asked
-        m_foretold = (m_result.samples + allocation.samples) * (m_goal.left && !m_judgement ? may_not_do : 1.0);
+        m_foretold = (m_work + allocation.work) * (m_goal.left && !m_judgement ? may_not_do : 1.0);
         std::vector<TileOrder> orders;
         for (std::size_t tile = 0; tile < allocation.doublings.size(); ++tile) {
             const unsigned doublings = std::min<unsigned>(allocation.doublings[tile], doublings_a_pass);
@@ -207,35 +217,35 @@ private:
         return orders;
     }
 
-    /// Where one pass would bring most of what is foretold, only the half of its samples that gains most is left in the
+    /// Where one pass would bring most of what is foretold, only the half of its work that gains most is left in the
     /// order: how the variance falls from here on is known too roughly to be bound to all of it. No tile is traced in
     /// more steps for that.
     void hold_back(const std::vector<TileNeed>& needs, Allocation& allocation) const {
-        constexpr double worth_a_pass = 0.04; // of the samples so far
+        constexpr double worth_a_pass = 0.04; // of the work so far
         std::vector<std::pair<double, std::size_t>> gains;
-        double samples = 0.0;
+        double work = 0.0;
         for (std::size_t tile = 0; tile < needs.size(); ++tile) {
             if (allocation.doublings[tile] > 0) {
                 gains.emplace_back(-gain_a_sample(needs[tile], m_estimate.ratio), tile);
-                samples += samples_in_pass(needs[tile], allocation.doublings[tile]);
+                work += work_in_pass(needs[tile], allocation.doublings[tile]);
             }
         }
-        if (samples < worth_a_pass * m_result.samples || samples < 0.5 * allocation.samples) {
+        if (work < worth_a_pass * m_work || work < 0.5 * allocation.work) {
             return;
         }
         std::sort(gains.begin(), gains.end());
         double ordered = 0.0;
         for (const auto& [gain, tile] : gains) {
-            if (ordered >= 0.5 * samples) {
+            if (ordered >= 0.5 * work) {
                 allocation.doublings[tile] = 0;
             } else {
-                ordered += samples_in_pass(needs[tile], allocation.doublings[tile]);
+                ordered += work_in_pass(needs[tile], allocation.doublings[tile]);
             }
         }
     }
 
-    [[nodiscard]] static double samples_in_pass(const TileNeed& need, unsigned doublings) {
-        return static_cast<double>(need.texels) * static_cast<double>(need.rays) *
+    [[nodiscard]] static double work_in_pass(const TileNeed& need, unsigned doublings) {
+        return need.cost * static_cast<double>(need.texels) * static_cast<double>(need.rays) *
                static_cast<double>((1U << std::min(doublings, doublings_a_pass)) - 1U);
     }
 
@@ -269,9 +279,10 @@ private:
             sum += need.variance;
             need.variance /= fallen(m_estimate.ratio, need.rays);
             need.rays = pilot_rays;
+            need.cost = 1.0;
             at_pilot += need.variance;
         }
-        m_result.best_samples = m_texels * pilot_rays + allocate_for_variance(fresh, m_estimate.ratio, sum).samples;
+        m_result.best_samples = m_texels * pilot_rays + allocate_for_variance(fresh, m_estimate.ratio, sum).work;
         m_result.uniform = uniform_rays(at_pilot, sum);
     }
 
@@ -304,8 +315,9 @@ private:
     std::optional<Judgement> m_judgement; ///< the last
     bool m_stopped = false;               ///< by the deadline
     double m_texels = 0.0;
-    double m_foretold = 1.0; ///< samples over all
-    double m_samples_a_second = 0.0;
+    double m_work = 0.0;     ///< done: samples, each times its cost
+    double m_foretold = 1.0; ///< work over all
+    double m_work_a_second = 0.0;
     double m_share = 0.0;
 };
 

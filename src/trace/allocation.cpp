@@ -15,7 +15,7 @@ Allocation allocate_at(std::span<const TileNeed> needs, double ratio, double pri
     for (std::size_t tile = 0; tile < needs.size(); ++tile) {
         TileNeed need = needs[tile];
         while (need.rays < most_rays && gain_a_sample(need, ratio) >= price && need.variance > 0.0) {
-            result.samples += static_cast<double>(need.texels) * static_cast<double>(need.rays);
+            result.work += need.cost * static_cast<double>(need.texels) * static_cast<double>(need.rays);
             need.variance *= ratio;
             need.rays *= 2;
             ++result.doublings[tile];
@@ -48,15 +48,16 @@ Allocation allocate(std::span<const TileNeed> needs, double ratio, bool at_most,
 } // namespace
 
 double gain_a_sample(const TileNeed& need, double ratio) {
-    return need.variance * (1.0 - ratio) / (static_cast<double>(need.texels) * static_cast<double>(need.rays));
+    return need.variance * (1.0 - ratio) /
+           (need.cost * static_cast<double>(need.texels) * static_cast<double>(need.rays));
 }
 
 Allocation allocate_for_variance(std::span<const TileNeed> needs, double ratio, double variance) {
     return allocate(needs, ratio, false, [&](const Allocation& allocation) { return allocation.variance <= variance; });
 }
 
-Allocation allocate_for_samples(std::span<const TileNeed> needs, double ratio, double samples) {
-    return allocate(needs, ratio, true, [&](const Allocation& allocation) { return allocation.samples > samples; });
+Allocation allocate_for_work(std::span<const TileNeed> needs, double ratio, double work) {
+    return allocate(needs, ratio, true, [&](const Allocation& allocation) { return allocation.work > work; });
 }
 
 } // namespace vkbake

@@ -23,6 +23,11 @@ void check_trace_settings(const Settings& settings) {
         "no error estimate, which the denoiser needs too, for samplers without a sequence; choose the sampler cosine");
     require(!estimated || settings.mode != Mode::bent_normal,
             "no error estimate in mode bent-normal, whose texels are no sums; choose rays");
+    const bool reused = settings.reuse == Switch::on;
+    require(!reused || settings.sampler == Sampler::cosine,
+            "no reuse of visibility for samplers without a sequence; choose the sampler cosine");
+    require(!reused || settings.mode != Mode::bent_normal,
+            "no reuse of visibility in mode bent-normal, whose texels are no sums; choose another mode");
     const bool adaptive = settings.target_error || settings.seconds;
     require(!(settings.estimate_error || denoised) || adaptive || settings.rays >= least_estimated_rays,
             "an error estimate of " + std::to_string(settings.rays) + " rays a texel; give 16 or more");

@@ -1,5 +1,6 @@
 #include "trace/cosine_strata.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "base/sampling_sobol.hpp"
@@ -64,6 +65,12 @@ CosineStrata::CosineStrata(std::uint32_t rays, std::uint32_t first)
         const std::uint32_t index = bits ^ m_row_parts[sobol_dimension_1_reversed(bits) & low].index;
         m_column_parts[bits] = {index, sobol_dimension_1_reversed(index)};
     }
+}
+
+BlockStrata CosineStrata::block(std::size_t number) const {
+    BlockStrata strata{.count = RayBlock::strata};
+    std::iota(strata.of.begin(), strata.of.end(), first_stratum() + std::uint64_t{number} * RayBlock::strata);
+    return strata;
 }
 
 CosineStrata::Part CosineStrata::round_part(std::uint32_t round) const {

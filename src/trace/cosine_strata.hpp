@@ -1,6 +1,7 @@
 // In which order a texel's cosine-weighted samples are taken, and which sample lies where.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,20 @@
 #include "bvh/ray_block.hpp"
 
 namespace vkbake {
+
+/// The strata of one block of rays.
+struct BlockStrata {
+    std::array<std::uint64_t, RayBlock::strata> of{}; ///< each the number of one
+    std::size_t count = 0;                            ///< the first so many have rays
+
+    /// Returns whether there is no more room.
+    bool add(std::uint64_t stratum) {
+        of[count++] = stratum;
+        return count == of.size();
+    }
+    /// Has the places that are left hold what the last one holds, so that they widen no beam; count ≥ 1.
+    void fill() { std::fill(of.begin() + static_cast<std::ptrdiff_t>(count), of.end(), of[count - 1]); }
+};
 
 /// The samples of one texel are the first `rays` points of its scrambled Sobol sequence (base/sampling_sobol.hpp). Each
 /// aligned block of 4^k of them, a *round*, holds one point in each cell of the square cut into 2^k × 2^k; so a round
@@ -59,6 +74,8 @@ public:
     [[nodiscard]] std::size_t block_count() const {
         return static_cast<std::size_t>((m_count - first_stratum() + RayBlock::strata - 1) / RayBlock::strata);
     }
+    /// The strata from f + 16 · number on, f = first_stratum().
+    [[nodiscard]] BlockStrata block(std::size_t number) const;
     [[nodiscard]] Cell cell(std::uint64_t stratum) const {
         return m_cells[static_cast<std::size_t>(stratum) & (m_cells.size() - 1)];
     }

@@ -96,10 +96,10 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
     }
 }
 
-/// The first 24 digits x of a coordinate that is reversed as the number (2x + 1) / 2²⁴ − 1: exact, and never 0, ±1.
-HWY_INLINE Vector centred(Words reversed) {
+/// The first 24 digits x of a coordinate as the number (2x + 1) / 2²⁴ − 1: exact, and never 0, ±1.
+HWY_INLINE Vector centred(Words digits) {
     const WholeLanes wholes;
-    const Words doubled = hn::Or(hn::ShiftRight<7>(reverse_bits(reversed)), set_word(1));
+    const Words doubled = hn::Or(hn::ShiftRight<7>(digits), set_word(1));
     return hn::ConvertTo(Lanes(), hn::BitCast(wholes, doubled) - hn::Set(wholes, 1 << 24)) * set(0x1p-24F);
 }
 
@@ -153,13 +153,12 @@ struct Place {
 
 /// Of a block's strata; beforehand, for a call within the loop over them would empty the vector registers.
 HWY_INLINE std::array<Place, RayBlock::strata> places_of(const CosineStrata& strata, const StratumTables& tables,
-                                                         std::size_t number) {
+                                                         const BlockStrata& numbers) {
     std::array<Place, RayBlock::strata> places{};
     for (std::size_t i = 0; i < RayBlock::strata; ++i) {
-        const std::uint64_t stratum = strata.first_stratum() + std::uint64_t{number} * RayBlock::strata + i;
-        const CosineStrata::Cell cell = strata.cell(stratum);
+        const CosineStrata::Cell cell = strata.cell(numbers.of[i]);
         places[i] = {&tables.columns[cell.reversed_column], &tables.rows[cell.reversed_row],
-                     strata.round_part(strata.round(stratum))};
+                     strata.round_part(strata.round(numbers.of[i]))};
     }
     return places;
 }
@@ -185,17 +184,21 @@ HWY_INLINE void place_points(const CosineStrata& strata, const std::array<Place,
         };
         const Words index = joined(column.index, row.index, round.index);
         const Words image = joined(column.image, row.image, round.image);
-        store({centred(in_x(index)), centred(in_y(image)), set(0.0F)}, block.direction[i], first);
+        const Words x = reverse_bits(in_x(index));
+        const Words y = reverse_bits(in_y(image));
+        store({centred(x), centred(y), set(0.0F)}, block.direction[i], first);
         asked[i] |= bits_at(first, hn::RebindMask(Lanes(), hn::Lt(index - first_index, index_count)));
         if (indices != nullptr) {
             hn::Store(index, words, &indices->of[i][first]);
+            hn::Store(hn::ShiftRight<27>(x), words, &indices->column[i][first]);
+            hn::Store(hn::ShiftRight<27>(y), words, &indices->row[i][first]);
         }
     }
 }
 
 void square_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,
                    RayBlock& block, SampleIndices* indices) {
-    const auto places = places_of(strata, tables, number);
+    const auto places = places_of(strata, tables, strata.block(number));
     StratumBits asked{};
     for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(WordLanes())) {
         place_points(strata, places, lanes, first, block, indices, asked);
@@ -206,8 +209,8 @@ void square_points(const CosineStrata& strata, const StratumTables& tables, cons
 }
 
 std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
-                                std::size_t number, RayBlock& block, SampleIndices* indices) {
-    const auto places = places_of(strata, tables, number);
+                                const BlockStrata& numbers, RayBlock& block, SampleIndices* indices) {
+    const auto places = places_of(strata, tables, numbers);
     StratumBits asked{};
     StratumBits active{};
     for (std::size_t first = 0; first < RayBlock::lanes; first += hn::Lanes(WordLanes())) {
@@ -227,7 +230,7 @@ std::uint32_t cosine_directions(const CosineStrata& strata, const StratumTables&
     }
     int count = 0;
     for (std::size_t i = 0; i < RayBlock::strata; ++i) {
-        asked[i] &= lanes.covered;
+        asked[i] &= i < numbers.count ? lanes.covered : 0U;
         count += std::popcount(asked[i]);
         block.active[i] = static_cast<RayBlock::LaneBits>(asked[i] & active[i]);
     }
@@ -289,8 +292,8 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
 }
 
 std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes,
-                             std::size_t number, RayBlock& block, SampleIndices* indices) {
-    return HWY_DYNAMIC_DISPATCH(cosine_directions)(strata, tables, lanes, number, block, indices);
+                             const BlockStrata& numbers, RayBlock& block, SampleIndices* indices) {
+    return HWY_DYNAMIC_DISPATCH(cosine_directions)(strata, tables, lanes, numbers, block, indices);
 }
 
 void set_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,

@@ -23,9 +23,13 @@ struct StratumTables {
     alignas(64) std::array<Rows, CosineStrata::most_cells> rows{};
 };
 
-/// Of a block's samples, [stratum][lane]: each one's number in its texel's sequence.
+/// Of a block's samples, [stratum][lane]: each one's number in its texel's sequence, and where it lies.
 struct SampleIndices {
-    alignas(64) std::array<std::array<std::uint32_t, RayBlock::lanes>, RayBlock::strata> of{};
+    using Rows = std::array<std::array<std::uint32_t, RayBlock::lanes>, RayBlock::strata>;
+
+    alignas(64) Rows of{};
+    alignas(64) Rows column{}; ///< of the square cut into 32 × 32 cells
+    alignas(64) Rows row{};
 };
 
 /// Inverts the scrambles of a tile's texels.
@@ -34,16 +38,15 @@ void invert_scrambles(const CosineStrata& strata, const TileLanes& lanes, Stratu
 // The two below set `direction` and `active` of a block: unit vectors to about 2⁻²², in the lanes' frames; active are
 // those of covered lanes that lie above the lane's geometric plane. The bits are the same on every machine.
 
-/// Cosine-weighted directions, density cos θ / π, of the strata [f + 16 · number, f + 16 · number + 16), f =
-/// strata.first_stratum(): the concentric map of Shirley and Chiu 1997 lifted to the hemisphere (Malley). About the
-/// normal z ≥ 2⁻¹². Returns how many samples were asked for: those of covered lanes whose index is in [strata.first(),
-/// strata.rays()); others are not active. Where `indices` is not null it is filled.
+/// Cosine-weighted directions, density cos θ / π, of some strata: the concentric map of Shirley and Chiu 1997 lifted to
+/// the hemisphere (Malley). About the normal z ≥ 2⁻¹². Returns how many samples were asked for: those of covered lanes
+/// whose index is in [strata.first(), strata.rays()); others are not active. Where `indices` is not null it is filled.
 [[nodiscard]] std::uint32_t set_directions(const CosineStrata& strata, const StratumTables& tables,
-                                           const TileLanes& lanes, std::size_t number, RayBlock& block,
+                                           const TileLanes& lanes, const BlockStrata& numbers, RayBlock& block,
                                            SampleIndices* indices = nullptr);
 
-/// The points of the same samples in the square, before they become directions: x and y in (−1, 1) stand in the first
-/// two axes of block.direction. `active` are all that were asked for.
+/// The points of the samples of strata.block(number) in the square, before they become directions: x and y in (−1, 1)
+/// stand in the first two axes of block.direction. `active` are all that were asked for.
 void set_points(const CosineStrata& strata, const StratumTables& tables, const TileLanes& lanes, std::size_t number,
                 RayBlock& block, SampleIndices* indices = nullptr);
 

@@ -15,7 +15,7 @@ void GatherTracer::set_plan(const RayPlan& plan) {
     }
 }
 
-void GatherTracer::sample(const TexelTile& tile) {
+void GatherTracer::sample(const TexelTile& tile, CellVisibility* /*seen*/) {
     m_parts = {};
     m_parts.blocked.fill(m_plan->samples());
     m_with_parts = true;

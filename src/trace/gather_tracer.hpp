@@ -38,7 +38,8 @@ public:
     }
 
     void set_plan(const RayPlan& plan) override;
-    void sample(const TexelTile& tile) override;
+    /// Spares no rays: where they end is not what their neighbours tell.
+    void sample(const TexelTile& tile, CellVisibility* seen) override;
     [[nodiscard]] glm::dvec3 light(std::size_t lane) const override { return m_sums[lane]; }
     /// All rays count as blocked: where each brings light no bound is needed, as surfaces differ. Where none does, some
     /// might.

@@ -113,7 +113,7 @@ void LampTracer::trace(const TileLanes& lanes, LaneParts* parts) {
             see(m_lamps->soft[lamp], lanes, m_discs[lamp]);
         }
         for (std::size_t number = 0; number < m_strata->block_count(); ++number) {
-            (void)set_directions(*m_strata, m_tables, m_points_lanes, number, m_points, &m_indices);
+            (void)set_directions(*m_strata, m_tables, m_points_lanes, m_strata->block(number), m_points, &m_indices);
             for (std::size_t lamp = 0; lamp < m_discs.size(); ++lamp) {
                 if (m_discs[lamp].lit != 0) {
                     aim(m_lamps->soft[lamp], m_discs[lamp]);

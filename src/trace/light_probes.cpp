@@ -42,7 +42,7 @@ public:
         m_ends = {};
         invert_scrambles(*m_strata, m_lanes, m_tables);
         for (std::size_t number = 0; number < m_strata->block_count(); ++number) {
-            (void)set_directions(*m_strata, m_tables, m_lanes, number, m_block);
+            (void)set_directions(*m_strata, m_tables, m_lanes, m_strata->block(number), m_block);
             spread();
             for (const RayBlock::LaneBits active : m_block.active) {
                 m_ray_count += static_cast<std::uint64_t>(std::popcount(active));

@@ -27,6 +27,9 @@ SampledMap::SampledMap(std::span<const TexelTile> tiles, const Settings& setting
         slots += tile.count;
     }
     m_records.resize(slots);
+    if (reuses_visibility(settings)) {
+        m_seen.resize(tiles.size());
+    }
 }
 
 std::size_t SampledMap::extend(std::span<const TileOrder> orders, const Samplers& samplers,
@@ -51,7 +54,7 @@ std::size_t SampledMap::extend(std::span<const TileOrder> orders, const Samplers
         const std::uint32_t had = m_rays[order.tile];
         TileSampler& sampler = *samplers[worker];
         sampler.set_plan(plans.find({had, order.rays})->second);
-        sampler.sample(m_tiles[order.tile]);
+        sampler.sample(m_tiles[order.tile], m_seen.empty() ? nullptr : &m_seen[order.tile]);
         for (std::uint32_t lane = 0; lane < m_tiles[order.tile].count; ++lane) {
             add(m_first_slot[order.tile] + lane, lane, sampler.light(lane), sampler.parts(), had, order.rays);
         }
@@ -94,6 +97,9 @@ SampledMap::TileSums SampledMap::sums_of(std::size_t tile) const {
         const Record& record = m_records[m_first_slot[tile] + lane];
         sums.contrasts += contrasts(record.parts, m_rays[tile]);
         sums.luminance += luminance(record.sum) / m_rays[tile];
+    }
+    if (!m_seen.empty()) {
+        sums.traced_share = KnownCells(m_seen[tile], m_rays[tile]).traced_share();
     }
     return sums;
 }

@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "trace/cell_visibility.hpp"
 #include "trace/contrasts.hpp"
 #include "trace/known_light.hpp"
 #include "trace/texel_tiles.hpp"
@@ -54,6 +55,8 @@ public:
     [[nodiscard]] std::span<const TexelTile> tiles() const { return m_tiles; }
     [[nodiscard]] std::size_t texel_count() const { return m_records.size(); }
     [[nodiscard]] std::uint32_t rays(std::size_t tile) const { return m_rays[tile]; } ///< a texel
+    /// Of a tile's next samples, those that take a ray: 1 unless visibility is reused.
+    [[nodiscard]] double traced_share(std::size_t tile) const { return m_sums[tile].traced_share; }
 
     [[nodiscard]] MapEstimate estimate() const;
     /// Σ σ² over a tile's texels, luminance.
@@ -79,6 +82,7 @@ private:
     struct TileSums {
         double luminance = 0.0; ///< of the means
         Contrasts contrasts;
+        double traced_share = 1.0;
     };
 
     /// Adds what a worker has just traced.
@@ -101,6 +105,7 @@ private:
     std::vector<std::uint32_t> m_rays;       ///< of each tile
     std::vector<TileSums> m_sums;            ///< of each tile
     std::vector<Record> m_records;
+    std::vector<CellVisibility> m_seen; ///< of each tile, where visibility is reused; else empty
 };
 
 } // namespace vkbake

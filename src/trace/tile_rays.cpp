@@ -75,13 +75,20 @@ void TileRays::begin(const TexelTile& tile) {
 
 const RayBlock& TileRays::make(std::size_t block, SampleIndices* indices) {
     if (const auto* cosine = std::get_if<CosineStrata>(&m_plan->directions())) {
-        m_asked = set_directions(*cosine, m_tables, m_lanes, block, m_block, indices);
-    } else if (const auto* random = std::get_if<RandomPoints>(&m_plan->directions())) {
+        return make(cosine->block(block), indices);
+    }
+    if (const auto* random = std::get_if<RandomPoints>(&m_plan->directions())) {
         random->set_points(m_lanes, block, m_block);
         m_asked = lift_points(random->even(), m_lanes, m_block);
     } else {
         m_asked = set_directions(*std::get_if<ThesisDirections>(&m_plan->directions()), m_lanes, block, m_block);
     }
+    return m_block;
+}
+
+const RayBlock& TileRays::make(const BlockStrata& strata, SampleIndices* indices) {
+    m_asked =
+        set_directions(*std::get_if<CosineStrata>(&m_plan->directions()), m_tables, m_lanes, strata, m_block, indices);
     return m_block;
 }
 

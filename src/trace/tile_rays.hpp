@@ -71,6 +71,8 @@ public:
     /// `block` < plan.block_count(). Holds until the next call. Active are the samples that lie above their texel's
     /// geometric plane. Where `indices` is not null it is filled; sampler cosine only.
     const RayBlock& make(std::size_t block, SampleIndices* indices = nullptr);
+    /// The same of some strata, wherever they lie; sampler cosine only.
+    const RayBlock& make(const BlockStrata& strata, SampleIndices* indices = nullptr);
     /// Of a ray of the last block, beside its stratum's; 1 unless the plan weighs rays.
     [[nodiscard]] double weight(std::size_t stratum, std::size_t lane) const;
     /// The samples of the last block, those below the plane with them.

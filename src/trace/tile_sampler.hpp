@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "trace/cell_visibility.hpp"
 #include "trace/lane_parts.hpp"
 #include "trace/texel_tiles.hpp"
 #include "trace/tile_rays.hpp"
@@ -19,6 +20,7 @@ struct RayCounts {
     std::uint64_t occluded_rays = 0;
     std::uint64_t filtered_rays = 0;
     std::uint64_t skipped_directions = 0;
+    std::uint64_t spared_rays = 0; ///< not traced: what they meet was known
     std::uint64_t probed_hits = 0;
     std::uint64_t back_side_hits = 0;
     std::uint64_t lamp_rays = 0;    ///< beside `rays`
@@ -32,6 +34,7 @@ struct RayCounts {
         occluded_rays += other.occluded_rays;
         filtered_rays += other.filtered_rays;
         skipped_directions += other.skipped_directions;
+        spared_rays += other.spared_rays;
         probed_hits += other.probed_hits;
         back_side_hits += other.back_side_hits;
         lamp_rays += other.lamp_rays;
@@ -54,8 +57,10 @@ public:
 
     /// From now on another plan, of the same seed and distance limit, which must outlive it.
     virtual void set_plan(const RayPlan& plan) = 0;
-    /// Traces a tile, with the parts of its texels' sequences; sampler cosine only.
-    virtual void sample(const TexelTile& tile) = 0;
+    /// Traces a tile, with the parts of its texels' sequences; sampler cosine only. `seen`: what the tile's rays met so
+    /// far, to which it adds what these meet; rays are spared whose answer it tells. Null where each ray is to be
+    /// traced.
+    virtual void sample(const TexelTile& tile, CellVisibility* seen) = 0;
     /// Of a lane of the last tile: Σ weight · L, not yet scaled.
     [[nodiscard]] virtual glm::dvec3 light(std::size_t lane) const = 0;
     /// Of the last tile that was sampled.

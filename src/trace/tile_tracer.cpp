@@ -1,11 +1,14 @@
 #include "trace/tile_tracer.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include "base/luminance.hpp"
 #include "bvh/each_ray.hpp"
+#include "trace/spared_strata.hpp"
 
 namespace vkbake {
 
@@ -26,6 +29,13 @@ BlockedRays joined(BlockedRays rays, const BlockedRays& others) {
         rays[stratum] |= others[stratum];
     }
     return rays;
+}
+
+/// Of samples of one texel that count alike.
+RayPlan::Weights even_weights() {
+    RayPlan::Weights weights{};
+    weights.fill(1.0);
+    return weights;
 }
 
 } // namespace
@@ -58,10 +68,10 @@ void TileTracer::plan_for_sources() {
     }
 }
 
-void TileTracer::sample(const TexelTile& tile) {
+void TileTracer::sample(const TexelTile& tile, CellVisibility* seen) {
     m_parts = {};
     m_with_parts = true;
-    sum_up(tile);
+    sum_up(tile, seen);
     m_with_parts = false;
 }
 
@@ -79,39 +89,19 @@ glm::dvec3 TileTracer::light(std::size_t lane) const {
     return sum;
 }
 
-void TileTracer::sum_up(const TexelTile& tile) {
+void TileTracer::sum_up(const TexelTile& tile, CellVisibility* seen) {
     m_sums = {};
     m_dimmed = {};
     m_directions = {};
+    m_traced_blocks = 0;
     m_rays.begin(tile);
     choose_probes();
-    for (std::size_t number = 0; number < m_plan->block_count(); ++number) {
-        const RayBlock& block = m_rays.make(number, m_with_parts ? &m_indices : nullptr);
-        const BlockedRays blocked = m_visibility->blocked(block, m_scratch);
-        const std::uint64_t rays = ray_count(block.active);
-        m_counts.rays += rays;
-        m_counts.skipped_directions += m_rays.asked() - rays;
-        BlockedRays open{};
-        for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
-            open[stratum] = static_cast<RayBlock::LaneBits>(block.active[stratum] & ~blocked[stratum]);
+    if (seen != nullptr) {
+        trace_unknown(*std::get_if<CosineStrata>(&m_plan->directions()), *seen);
+    } else {
+        for (std::size_t number = 0; number < m_plan->block_count(); ++number) {
+            trace_block(number, m_rays.make(number, m_with_parts ? &m_indices : nullptr), m_plan->weights(number));
         }
-        const RayPlan::Weights weights = m_plan->weights(number);
-        if (m_visibility->dims()) {
-            add_dimmed(block, weights, open);
-        }
-        const BlockedRays stopped = m_visibility->fades() ? joined(blocked, m_scratch.dimmed()) : blocked;
-        m_counts.occluded_rays += ray_count(stopped);
-        if (m_plan->weighs_rays()) {
-            add_weighted(block, open);
-        }
-        add_sky(*m_sky, block, open, weights, m_sums, m_with_parts ? &m_luminance : nullptr);
-        if (m_with_parts) {
-            add_parts(open, blocked);
-        }
-        if (m_plan->settings().mode == Mode::bent_normal) {
-            add_directions(block, weights, blocked);
-        }
-        probe(number, block, stopped);
     }
     if (m_peaks) {
         m_peaks->sum_up(m_rays.lanes(), m_with_parts ? &m_parts : nullptr);
@@ -120,6 +110,86 @@ void TileTracer::sum_up(const TexelTile& tile) {
     if (m_lamps) {
         m_lamps->sum_up(m_rays.lanes(), m_with_parts ? &m_parts : nullptr);
         m_counts.lamp_rays = m_lamps->rays();
+    }
+}
+
+void TileTracer::trace_unknown(const CosineStrata& strata, CellVisibility& seen) {
+    using Answer = KnownCells::Answer;
+    const RayCounts before = m_counts;
+    const SparedStrata parted(strata, seen, m_rays.lanes().scrambles.random(0));
+    bool holds = true;
+    parted.each_checked(Answer::open, [&](const BlockStrata& some) {
+        holds = ray_count(trace_strata(some, seen).something) == 0 && holds;
+    });
+    parted.each_checked(Answer::blocked, [&](const BlockStrata& some) {
+        holds = ray_count(trace_strata(some, seen).nothing) == 0 && holds;
+    });
+    if (holds) {
+        parted.each_unknown([&](const BlockStrata& some) { trace_strata(some, seen); });
+        parted.each_spared(Answer::open, [&](const BlockStrata& some) { add_open(m_rays.make(some, &m_indices)); });
+        parted.known().mark(seen);
+    } else { // whatever else is thought to be known may be as wrong
+        parted.each_unchecked([&](const BlockStrata& some) { trace_strata(some, seen); });
+    }
+    const auto texels = static_cast<std::uint64_t>(std::popcount(m_rays.lanes().covered));
+    m_counts.spared_rays += texels * (strata.rays() - strata.first()) - (m_counts.rays - before.rays) -
+                            (m_counts.skipped_directions - before.skipped_directions);
+}
+
+TileTracer::Met TileTracer::trace_strata(const BlockStrata& strata, CellVisibility& seen) {
+    const Met met = trace_block(m_traced_blocks++, m_rays.make(strata, &m_indices), even_weights());
+    remember(met, seen);
+    return met;
+}
+
+TileTracer::Met TileTracer::trace_block(std::size_t number, const RayBlock& block, const RayPlan::Weights& weights) {
+    const BlockedRays blocked = m_visibility->blocked(block, m_scratch);
+    const std::uint64_t rays = ray_count(block.active);
+    m_counts.rays += rays;
+    m_counts.skipped_directions += m_rays.asked() - rays;
+    BlockedRays open{};
+    for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
+        open[stratum] = static_cast<RayBlock::LaneBits>(block.active[stratum] & ~blocked[stratum]);
+    }
+    Met met{open, blocked};
+    if (m_visibility->dims()) {
+        met.something = joined(blocked, m_scratch.dimmed());
+        add_dimmed(block, weights, open);
+    }
+    const BlockedRays stopped = m_visibility->fades() ? joined(blocked, m_scratch.dimmed()) : blocked;
+    m_counts.occluded_rays += ray_count(stopped);
+    if (m_plan->weighs_rays()) {
+        add_weighted(block, open);
+    }
+    add_sky(*m_sky, block, open, weights, m_sums, m_with_parts ? &m_luminance : nullptr);
+    if (m_with_parts) {
+        add_parts(open, blocked);
+    }
+    if (m_plan->settings().mode == Mode::bent_normal) {
+        add_directions(block, weights, blocked);
+    }
+    probe(number, block, stopped);
+    return met;
+}
+
+void TileTracer::remember(const Met& met, CellVisibility& seen) const {
+    for (std::size_t stratum = 0; stratum < RayBlock::strata; ++stratum) {
+        const unsigned nothing = met.nothing[stratum];
+        const unsigned something = met.something[stratum];
+        for (unsigned bits = nothing | something; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<unsigned>(std::countr_zero(bits));
+            const std::uint32_t column = m_indices.column[stratum][lane];
+            seen.add(m_indices.row[stratum][lane], (nothing >> lane & 1U) << column,
+                     (something >> lane & 1U) << column);
+        }
+    }
+}
+
+void TileTracer::add_open(const RayBlock& block) {
+    m_counts.skipped_directions += m_rays.asked() - ray_count(block.active);
+    add_sky(*m_sky, block, block.active, even_weights(), m_sums, m_with_parts ? &m_luminance : nullptr);
+    if (m_with_parts) {
+        add_parts(block.active, {});
     }
 }
 
@@ -137,7 +207,7 @@ void TileTracer::add_dimmed(const RayBlock& block, const RayPlan::Weights& weigh
                      : through * glm::dvec3(radiance(*m_sky, ray_of(block, stratum, lane).direction));
             m_dimmed[lane] += weights[stratum] * m_rays.weight(stratum, lane) * light;
             if (m_with_parts) {
-                add_to_part(stratum, lane, luminance(light));
+                add_to_part(stratum, lane, part_shift(m_plan->samples()), luminance(light));
             }
         }
     }
@@ -172,17 +242,18 @@ glm::dvec3 TileTracer::bent_normal(std::size_t lane, double visibility) const {
     return length > 0.0 ? visibility / length * m_directions[lane] : glm::dvec3(0.0);
 }
 
-void TileTracer::add_to_part(std::size_t stratum, std::size_t lane, double luminance) {
-    m_parts.add(lane, m_indices.of[stratum][lane], part_shift(m_plan->samples()), luminance);
+void TileTracer::add_to_part(std::size_t stratum, std::size_t lane, unsigned shift, double luminance) {
+    m_parts.add(lane, m_indices.of[stratum][lane], shift, luminance);
     ++m_parts.open[lane];
 }
 
 void TileTracer::add_parts(const BlockedRays& open, const BlockedRays& blocked) {
     const double scale = luminance_scale(*m_sky);
+    const unsigned shift = part_shift(m_plan->samples());
     for (std::size_t stratum = 0; stratum < open.size(); ++stratum) {
         for (unsigned bits = open[stratum]; bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-            add_to_part(stratum, lane, scale * static_cast<double>(m_luminance[stratum][lane]));
+            add_to_part(stratum, lane, shift, scale * static_cast<double>(m_luminance[stratum][lane]));
         }
         for (unsigned bits = blocked[stratum]; bits != 0; bits &= bits - 1) {
             ++m_parts.blocked[static_cast<std::size_t>(std::countr_zero(bits))];

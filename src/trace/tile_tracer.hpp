@@ -39,13 +39,13 @@ public:
     /// Calls store(texel, sum) for each texel of the tile: Σ weight · L, not yet scaled.
     template<typename Store>
     void trace(const TexelTile& tile, const Store& store) {
-        sum_up(tile);
+        sum_up(tile, nullptr);
         for (std::uint32_t lane = 0; lane < tile.count; ++lane) {
             store(tile.texels[lane], light(lane));
         }
     }
 
-    void sample(const TexelTile& tile) override;
+    void sample(const TexelTile& tile, CellVisibility* seen) override;
     [[nodiscard]] glm::dvec3 light(std::size_t lane) const override;
     [[nodiscard]] const LaneParts& parts() const override { return m_parts; }
     [[nodiscard]] const RayCounts& counts() const override { return m_counts; }
@@ -53,7 +53,22 @@ public:
 
 private:
     void plan_for_sources();
-    void sum_up(const TexelTile& tile);
+    /// What the rays of a block met: those that something, but not all, comes along are of both.
+    struct Met {
+        BlockedRays nothing{};
+        BlockedRays something{};
+    };
+
+    void sum_up(const TexelTile& tile, CellVisibility* seen);
+    /// Traces the strata whose answers `seen` does not tell, and adds what it tells of the others.
+    void trace_unknown(const CosineStrata& strata, CellVisibility& seen);
+    Met trace_strata(const BlockStrata& strata, CellVisibility& seen);
+    /// Traces the plan's block `number`, or the strata that come as such.
+    Met trace_block(std::size_t number, const RayBlock& block, const RayPlan::Weights& weights);
+    /// Of the last block, into its rays' cells.
+    void remember(const Met& met, CellVisibility& seen) const;
+    /// Adds the sky's light along all rays of a block, none of which is traced.
+    void add_open(const RayBlock& block);
     /// Adds the rays of a block that come dimmed, and takes them out of `open`.
     void add_dimmed(const RayBlock& block, const RayPlan::Weights& weights, BlockedRays& open);
     /// Adds the rays of a block one by one, each with its own weight, and takes them out of `open`.
@@ -64,7 +79,7 @@ private:
     /// Adds a block's rays to the parts that their samples belong to.
     void add_parts(const BlockedRays& open, const BlockedRays& blocked);
     /// Adds a sample that light came along.
-    void add_to_part(std::size_t stratum, std::size_t lane, double luminance);
+    void add_to_part(std::size_t stratum, std::size_t lane, unsigned shift, double luminance);
     /// Chooses each texel's probe.
     void choose_probes();
     /// Follows the probes that lie in a block.
@@ -79,6 +94,7 @@ private:
     std::array<glm::dvec3, RayBlock::lanes> m_dimmed{};     ///< sums of what comes through surfaces, or is weighted
     std::array<glm::dvec3, RayBlock::lanes> m_directions{}; ///< mode bent_normal: sums of those that are open
     bool m_with_parts = false;
+    std::size_t m_traced_blocks = 0; ///< of this tile, where not all are
     LaneParts m_parts;
     SampleIndices m_indices;
     LuminanceRows m_luminance{};

@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "trace/adaptive.hpp"
+#include "trace/cell_visibility.hpp"
 #include "trace/check_settings.hpp"
 #include "trace/gather_tracer.hpp"
 #include "trace/lamp_set.hpp"
@@ -85,14 +86,16 @@ RayCounts sum_of(const Samplers& samplers) {
     return total;
 }
 
-/// Tells how much of the work is done; throws where it is to stop, but not when there was nothing to do.
-std::function<bool(std::size_t)> report_of(std::size_t tiles, const Samplers& samplers, const TraceProgress& progress) {
+/// Tells how much of the work is done, which begins and ends at a share of all; throws where it is to stop, but not
+/// when there was nothing to do.
+std::function<bool(std::size_t)> report_of(std::size_t tiles, const Samplers& samplers, const TraceProgress& progress,
+                                           double begin = 0.0, double end = 1.0) {
     if (!progress) {
         return {};
     }
-    return [&, tiles](std::size_t done) {
+    return [&, tiles, begin, end](std::size_t done) {
         const double share = tiles == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(tiles);
-        if (!progress(share, sum_of(samplers).all(), 0.0) && tiles > 0) {
+        if (!progress(begin + share * (end - begin), sum_of(samplers).all(), 0.0) && tiles > 0) {
             throw Error(ErrorKind::interrupted, "interrupted");
         }
         return true;
@@ -137,13 +140,29 @@ private:
     double m_seconds = 0.0;
 };
 
-void trace_estimated(SampledMap& sampled, const Samplers& samplers, std::uint32_t rays, const TraceProgress& progress,
-                     MapWriter& writer, LightMap& map) {
-    std::vector<TileOrder> orders;
-    for (std::size_t tile = 0; tile < sampled.tiles().size(); ++tile) {
-        orders.push_back({static_cast<std::uint32_t>(tile), rays});
+/// Over which numbers of samples `rays` are reached: where visibility is reused each step spares what those before it
+/// tell.
+std::vector<std::uint32_t> steps_to(std::uint32_t rays, bool reused) {
+    std::vector<std::uint32_t> steps;
+    for (std::uint64_t step = KnownCells::least_samples; reused && step < rays; step *= 4) {
+        steps.push_back(static_cast<std::uint32_t>(step));
     }
-    sampled.extend(orders, samplers, report_of(orders.size(), samplers, progress));
+    steps.push_back(rays);
+    return steps;
+}
+
+void trace_estimated(SampledMap& sampled, const Samplers& samplers, const Settings& settings,
+                     const TraceProgress& progress, MapWriter& writer, LightMap& map) {
+    double begin = 0.0;
+    for (const std::uint32_t step : steps_to(settings.rays, reuses_visibility(settings))) {
+        std::vector<TileOrder> orders;
+        for (std::size_t tile = 0; tile < sampled.tiles().size(); ++tile) {
+            orders.push_back({static_cast<std::uint32_t>(tile), step});
+        }
+        const double end = static_cast<double>(step) / settings.rays;
+        sampled.extend(orders, samplers, report_of(orders.size(), samplers, progress, begin, end));
+        begin = end;
+    }
     writer.write(sampled, map);
 }
 
@@ -165,7 +184,7 @@ void trace_adaptively(SampledMap& sampled, const Samplers& samplers, AdaptiveGoa
     }
     const auto texels = static_cast<double>(std::max<std::size_t>(sampled.texel_count(), 1));
     map.error->target_reached = !goal.error || map.error->relative_rmse <= *goal.error;
-    map.error->mean_rays = result.samples / texels;
+    map.error->mean_rays = (result.samples - static_cast<double>(sum_of(samplers).spared_rays)) / texels;
     map.error->best_mean_rays = result.best_samples / texels;
     map.error->uniform_rays = static_cast<double>(result.uniform);
 }
@@ -173,6 +192,9 @@ void trace_adaptively(SampledMap& sampled, const Samplers& samplers, AdaptiveGoa
 bool is_estimated(const Settings& settings) {
     return settings.target_error || settings.seconds || settings.estimate_error || settings.denoise == Switch::on;
 }
+
+/// Whether what its samples meet is to be remembered of each texel.
+bool is_sampled(const Settings& settings) { return is_estimated(settings) || reuses_visibility(settings); }
 
 /// LightMapStatistics::lamps_reached.
 std::vector<std::uint64_t> reached(const TileTracers& workers) {
@@ -265,12 +287,12 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     const RayPlan& plan = m_state->plan;
     const Settings& settings = plan.settings();
     MapWriter writer(filter);
-    if (is_estimated(settings) || deadline) {
+    if (is_sampled(settings) || deadline) {
         SampledMap sampled(tiles, settings, plan.max_distance(), m_state->intensity);
         if (settings.target_error || deadline) {
             trace_adaptively(sampled, samplers, {settings.target_error, deadline}, progress, writer, map);
         } else {
-            trace_estimated(sampled, samplers, plan.samples(), progress, writer, map);
+            trace_estimated(sampled, samplers, plan.settings(), progress, writer, map);
         }
     } else {
         trace_plain(tiles, workers, plan, plan.scale() * m_state->intensity, progress, map);
@@ -284,6 +306,7 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
     map.statistics.occluded_rays = counts.occluded_rays;
     map.statistics.filtered_rays = counts.filtered_rays;
     map.statistics.skipped_directions = counts.skipped_directions;
+    map.statistics.spared_rays = counts.spared_rays;
     map.statistics.probed_hits = counts.probed_hits;
     map.statistics.back_side_hits = counts.back_side_hits;
     map.statistics.lamp_rays = counts.lamp_rays;
@@ -310,6 +333,7 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
     Settings settings = m_state->plan.settings();
     settings.seed = mix64(settings.seed + bounce);
     settings.rays = settings.bounce_rays;
+    settings.reuse = Switch::off; // what a ray meets is another surface for each
     const RayPlan plan(settings, m_state->plan.max_distance());
     std::vector<std::unique_ptr<GatherTracer>> workers(worker_count(m_state->threads));
     for (auto& worker : workers) {
@@ -325,7 +349,7 @@ LightMap Tracer::gather(const GeometryImage& geometry, const SurfaceLight& light
         if (settings.target_error) {
             trace_adaptively(sampled, samplers, {settings.target_error, {}}, progress, writer, map);
         } else {
-            trace_estimated(sampled, samplers, plan.samples(), progress, writer, map);
+            trace_estimated(sampled, samplers, plan.settings(), progress, writer, map);
         }
     } else {
         trace_plain(tiles, workers, plan, plan.scale(), progress, map);

@@ -111,6 +111,7 @@ Json settings_json(const Settings& settings) {
             {"time", or_null(settings.seconds)},
             {"error-map", settings.estimate_error},
             {"seed", settings.seed},
+            {"reuse", name_of(reuses_visibility(settings) ? Switch::on : Switch::off)},
             {"denoise", name_of(settings.denoise)},
             {"blend-creases", name_of(settings.blend_creases)},
             {"padding", settings.padding}};
@@ -130,6 +131,7 @@ Json counts_json(const LightMap& map) {
               {"occluded_rays", statistics.occluded_rays},
               {"filtered_rays", statistics.filtered_rays},
               {"skipped_directions", statistics.skipped_directions},
+              {"spared_rays", statistics.spared_rays},
               {"probed_hits", statistics.probed_hits},
               {"back_side_hits", statistics.back_side_hits},
               {"lamp_rays", statistics.lamp_rays},

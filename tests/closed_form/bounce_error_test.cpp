@@ -103,9 +103,7 @@ TEST(BounceError, IntervalsHoldTheTruth) {
 }
 
 /// Root of the mean square error over the mean.
-double relative_error(const LampAndSky& floor, const Bake& bake) {
-    FloorTally tally;
-    tally.add(bake, floor);
+double relative_error(const FloorTally& tally) {
     return std::sqrt(tally.squares / tally.texels) / (tally.truth / tally.texels);
 }
 
@@ -115,12 +113,19 @@ TEST(BounceError, WhatIsAskedForIsOfAllLight) {
         Settings settings = estimated(64);
         settings.estimate_error = false;
         settings.target_error = target;
-        const Bake bake = floor.bake(settings);
-        ASSERT_TRUE(bake.light_maps[0].error.has_value());
-        EXPECT_TRUE(bake.light_maps[0].error->target_reached);
-        EXPECT_LE(bake.light_maps[0].error->relative_rmse, target);
-        EXPECT_GE(bake.light_maps[0].error->relative_rmse, 0.9 * target);
-        EXPECT_NEAR(relative_error(floor, bake), target, 0.15 * target);
+        FloorTally tally;
+        double told = 0.0;
+        const auto seeds = test::amount(16U, 4U);
+        for (settings.seed = 1; settings.seed <= seeds; ++settings.seed) {
+            const Bake bake = floor.bake(settings);
+            ASSERT_TRUE(bake.light_maps[0].error.has_value());
+            EXPECT_TRUE(bake.light_maps[0].error->target_reached);
+            EXPECT_LE(bake.light_maps[0].error->relative_rmse, target);
+            told += bake.light_maps[0].error->relative_rmse / seeds;
+            tally.add(bake, floor);
+        }
+        EXPECT_GE(told, 0.9 * target);
+        EXPECT_NEAR(relative_error(tally), target, 0.15 * target);
     }
 }
 

@@ -68,6 +68,7 @@ void measure(const std::string& file, const std::string& sky_name, int size, con
     settings.size = size;
     settings.seed = 1000;
     settings.target_error = reference_error;
+    settings.reuse = Switch::off;
     const Bake reference = bake(scene, sky, settings, device);
     settings.seed = 0;
     std::vector<Point> plain;

@@ -65,9 +65,11 @@ Case bake_all(const std::string& file, const std::string& sky_name, int size, co
     settings.size = size;
     settings.seed = 1000;
     settings.target_error = reference_error;
+    settings.reuse = Switch::off;
     result.reference = bake(scene, sky, settings, device);
     settings.seed = 0;
     settings.target_error.reset();
+    settings.reuse.reset();
     for (settings.rays = 16; settings.rays <= most_uniform_rays; settings.rays *= 4) {
         result.uniform.emplace_back(settings.rays, bake(scene, sky, settings, device));
     }

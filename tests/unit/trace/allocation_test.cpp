@@ -38,7 +38,7 @@ TEST(Allocation, IsTheCheapestOfAll) {
                 samples += 16.0 * need.rays * (std::pow(2.0, doublings) - 1.0);
             }
             // Lagrange's condition gives the least variance that so many samples can have.
-            if (samples <= found.samples) {
+            if (samples <= found.work) {
                 ASSERT_GE(variance, found.variance * (1.0 - 1e-9));
             }
         }
@@ -51,15 +51,15 @@ TEST(Allocation, SpendsWhatItMayAndNoMore) {
     for (int tile = 0; tile < 500; ++tile) {
         needs.push_back({16, 16, 1.0 + tile * 0.01});
     }
-    const Allocation found = allocate_for_samples(needs, 0.35, 100000.0);
-    EXPECT_LE(found.samples, 100000.0);
-    EXPECT_GT(found.samples, 100000.0 - 16.0 * 32.0);
-    EXPECT_EQ(allocate_for_samples(needs, 0.35, 0.0).samples, 0.0);
+    const Allocation found = allocate_for_work(needs, 0.35, 100000.0);
+    EXPECT_LE(found.work, 100000.0);
+    EXPECT_GT(found.work, 100000.0 - 16.0 * 32.0);
+    EXPECT_EQ(allocate_for_work(needs, 0.35, 0.0).work, 0.0);
 }
 
 TEST(Allocation, EndsWhereNothingHelps) {
     const std::vector<TileNeed> flawless(3, {16, 16, 0.0});
-    EXPECT_EQ(allocate_for_variance(flawless, 0.35, 0.0).samples, 0.0);
+    EXPECT_EQ(allocate_for_variance(flawless, 0.35, 0.0).work, 0.0);
     const std::vector<TileNeed> needs(3, {16, most_rays / 2, 1.0});
     const Allocation found = allocate_for_variance(needs, 0.5, 0.0);
     EXPECT_EQ(found.doublings, std::vector<std::uint8_t>(3, 1));

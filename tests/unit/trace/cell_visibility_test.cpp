@@ -1,0 +1,108 @@
+#include "trace/cell_visibility.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "base/random.hpp"
+
+namespace vkbake {
+namespace {
+
+using Answer = KnownCells::Answer;
+
+constexpr int cells_a_side = CellVisibility::side;
+
+/// What was seen, cell by cell; chance puts borders into it.
+struct Seen {
+    std::array<std::array<bool, cells_a_side>, cells_a_side> open{};
+    std::array<std::array<bool, cells_a_side>, cells_a_side> blocked{};
+    CellVisibility cells;
+
+    explicit Seen(std::uint64_t seed) {
+        for (int row = 0; row < cells_a_side; ++row) {
+            for (int column = 0; column < cells_a_side; ++column) {
+                const std::uint64_t random =
+                    mix64(seed ^ mix64(static_cast<std::uint64_t>(cells_a_side * row + column)));
+                const bool beyond = column + row / 2 > 20;
+                const bool odd = random % 97 == 0;
+                const bool nothing = random % 5 == 1; // no ray came here
+                open[row][column] = !nothing && (beyond || odd);
+                blocked[row][column] = !nothing && (!beyond || odd);
+                cells.add(static_cast<std::size_t>(row), std::uint32_t{open[row][column]} << column,
+                          std::uint32_t{blocked[row][column]} << column);
+            }
+        }
+    }
+};
+
+/// By the definition: one of 2^k × 2^k cells and the four beside it.
+Answer answer_of(const Seen& seen, int row, int column, int k) {
+    const int size = cells_a_side >> k;
+    const auto any = [&](const auto& what, int r, int c) {
+        bool found = false;
+        for (int i = 0; r >= 0 && c >= 0 && r < 1 << k && c < 1 << k && i < size * size; ++i) {
+            found = found || what[r * size + i / size][c * size + i % size];
+        }
+        return found;
+    };
+    const auto about = [&](const auto& what) {
+        return any(what, row, column) || any(what, row - 1, column) || any(what, row + 1, column) ||
+               any(what, row, column - 1) || any(what, row, column + 1);
+    };
+    if (any(seen.open, row, column) && !about(seen.blocked)) {
+        return Answer::open;
+    }
+    return any(seen.blocked, row, column) && !about(seen.open) ? Answer::blocked : Answer::none;
+}
+
+TEST(KnownCells, AreThoseInAndBesideWhichAllRaysMetAlike) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const Seen seen(seed);
+        for (int k = 2; k <= 5; ++k) {
+            const auto samples = std::uint32_t{1} << (2 * k);
+            const KnownCells known(seen.cells, samples);
+            const KnownCells later(seen.cells, 4 * samples - 1); // no finer cell has one of each texel's
+            double unknown = 0.0;
+            for (int row = 0; row < 1 << k; ++row) {
+                for (int column = 0; column < 1 << k; ++column) {
+                    const Answer expected = answer_of(seen, row, column, k);
+                    unknown += expected == Answer::none ? 1.0 : 0.0;
+                    for (int finer = k; finer <= 6; ++finer) {
+                        const CosineStrata::Cell cell{static_cast<std::uint8_t>(((column + 1) << (finer - k)) - 1),
+                                                      static_cast<std::uint8_t>(row << (finer - k)), 0, 0};
+                        ASSERT_EQ(known.at(cell, static_cast<unsigned>(finer)), expected) << seed << " " << k;
+                        ASSERT_EQ(later.at(cell, static_cast<unsigned>(finer)), expected) << seed << " " << k;
+                    }
+                }
+            }
+            const double share = unknown / samples;
+            EXPECT_DOUBLE_EQ(known.traced_share(), share + (1.0 - share) / 16.0);
+        }
+    }
+}
+
+TEST(KnownCells, AreNoneBeforeSixteenSamples) {
+    const KnownCells known(Seen(1).cells, 15);
+    EXPECT_EQ(known.traced_share(), 1.0);
+    EXPECT_EQ(known.at({0, 0, 0, 0}, 2), Answer::none);
+}
+
+TEST(KnownCells, MarkedAreSeenAllOver) {
+    Seen seen(3);
+    const KnownCells known(seen.cells, 64);
+    known.mark(seen.cells);
+    for (int row = 0; row < cells_a_side; ++row) {
+        for (int column = 0; column < cells_a_side; ++column) {
+            const Answer answer = answer_of(seen, row / 4, column / 4, 3);
+            const auto bit = [&](const CellVisibility::Rows& rows) { return (rows[row] >> column & 1U) != 0; };
+            EXPECT_EQ(bit(seen.cells.open()), seen.open[row][column] || answer == Answer::open);
+            EXPECT_EQ(bit(seen.cells.blocked()), seen.blocked[row][column] || answer == Answer::blocked);
+        }
+    }
+}
+
+} // namespace
+} // namespace vkbake
