@@ -29,7 +29,8 @@ struct TradeoffOptions {
 constexpr double reference_error = 0.0005; ///< a tenth of the smallest that is asked for
 constexpr double recommended_error = 0.01;
 
-/// What is tried: rays for all alike, errors asked for, both with the denoiser, and the thesis's sampler.
+/// What is tried: rays for all alike, errors asked for, both with the denoiser, an error with all samples traced, and
+/// the thesis's sampler.
 std::vector<std::pair<std::string, Settings>> sweep(const Settings& given) {
     std::vector<std::pair<std::string, Settings>> points;
     for (const std::uint32_t rays : {16U, 64U, 256U, 1024U}) {
@@ -46,6 +47,9 @@ std::vector<std::pair<std::string, Settings>> sweep(const Settings& given) {
         point.second.denoise = Switch::on;
         points.push_back(std::move(point));
     }
+    points.emplace_back(fmt::format("--target-error {} --reuse off", recommended_error), given);
+    points.back().second.target_error = recommended_error;
+    points.back().second.reuse = Switch::off;
     points.emplace_back("--sampler thesis", given);
     points.back().second.sampler = Sampler::thesis;
     return points;

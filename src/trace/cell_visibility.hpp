@@ -41,7 +41,7 @@ class KnownCells {
 public:
     enum class Answer : std::uint8_t { none, open, blocked };
 
-    static constexpr std::uint32_t least_samples = 16;  ///< of a texel; fewer tell nothing
+    static constexpr std::uint32_t least_samples = 64;  ///< of a texel; fewer tell nothing
     static constexpr std::uint64_t checked_strata = 16; ///< of every so many one is traced though it may be known
 
     /// From what the first `samples` of each texel met, in cells that have one or more of each texel's.

@@ -61,7 +61,7 @@ Answer answer_of(const Seen& seen, int row, int column, int k) {
 TEST(KnownCells, AreThoseInAndBesideWhichAllRaysMetAlike) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Seen seen(seed);
-        for (int k = 2; k <= 5; ++k) {
+        for (int k = 3; k <= 5; ++k) {
             const auto samples = std::uint32_t{1} << (2 * k);
             const KnownCells known(seen.cells, samples);
             const KnownCells later(seen.cells, 4 * samples - 1); // no finer cell has one of each texel's
@@ -84,10 +84,10 @@ TEST(KnownCells, AreThoseInAndBesideWhichAllRaysMetAlike) {
     }
 }
 
-TEST(KnownCells, AreNoneBeforeSixteenSamples) {
-    const KnownCells known(Seen(1).cells, 15);
+TEST(KnownCells, AreNoneOfFewerThan64Samples) {
+    const KnownCells known(Seen(1).cells, 63);
     EXPECT_EQ(known.traced_share(), 1.0);
-    EXPECT_EQ(known.at({0, 0, 0, 0}, 2), Answer::none);
+    EXPECT_EQ(known.at({0, 0, 0, 0}, 3), Answer::none);
 }
 
 TEST(KnownCells, MarkedAreSeenAllOver) {
