@@ -92,9 +92,9 @@ struct Settings {
     /// it, with as many rays again; sampler cosine.
     Switch sun = Switch::on;
     /// Whether samples are spared a ray where all those of the texels around it, in the same part of the hemisphere and
-    /// beside it, met alike: they are taken to meet the same. `rays` are then samples, of which a half to a fifth is
-    /// traced. The results are the same for every number of threads and every accelerator. Absent: where an error or a
-    /// time is asked for. Sampler cosine, modes irradiance and ao.
+    /// beside it, met alike: they are taken to meet the same. `rays` are then samples, of which often less than half
+    /// are traced. The results are the same for every number of threads and every accelerator. Absent: where an error
+    /// or a time is asked for. Sampler cosine, modes irradiance and ao.
     std::optional<Switch> reuse;
     Sampler sampler = Sampler::cosine;
     Accelerator accelerator = Accelerator::bvh;

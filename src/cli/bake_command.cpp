@@ -50,9 +50,8 @@ void print_error(const MapError& error) {
         fmt::print("  {:<24} {:.2g} % before it was denoised\n", "", 100.0 * error.noise_rmse);
     }
     if (error.mean_rays > 0.0) {
-        fmt::print("  {:<24} {:.0f} rays a texel of direct light; as many samples for all alike, {:.0f}, would do as "
-                   "well\n",
-                   "", error.mean_rays, error.uniform_rays);
+        fmt::print("  {:<24} {:.0f} rays a texel of direct light; the same for every texel, it would take {:.0f}\n", "",
+                   error.mean_rays, error.uniform_rays);
     }
     if (!error.target_reached) {
         fmt::print("  {:<24} note: the error asked for was not reached\n", "");

@@ -39,7 +39,8 @@ struct TileOrder {
 };
 
 /// The samples of all texels of a map, tile by tile: those of a tile have the same number. Values and estimates depend
-/// on those numbers alone, and not on the steps in which they were reached, but for the rounding of sums.
+/// on those numbers alone, and not on the steps in which they were reached, but for the rounding of sums; where
+/// visibility is reused each step spares what those before it tell.
 class SampledMap {
 public:
     /// The tiles must outlive it. `intensity` multiplies all that is seen. `settings`: sampler cosine. `before`: what

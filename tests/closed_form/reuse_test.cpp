@@ -105,7 +105,8 @@ TEST(Reuse, DoesNotLoseWhatFewRaysMeet) {
     double truth = 0.0;
     for (int i = 0; i < side * side; ++i) {
         const double x = -0.4 + 0.8 * (i % side + 0.4) / side;
-        const double z = -0.4 + 0.8 * (static_cast<double>(i / side) + 0.6) / side;
+        const int row = i / side;
+        const double z = -0.4 + 0.8 * (row + 0.6) / side;
         points.push_back({glm::vec3(x, 0.0, z), {0, 1, 0}, {0, 1, 0}, 0});
         const auto factor = [&](double at_x, double at_z) {
             return test::element_to_parallel_rectangle(at_x - x, at_z - z, height);

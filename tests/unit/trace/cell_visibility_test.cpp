@@ -13,7 +13,7 @@ namespace {
 
 using Answer = KnownCells::Answer;
 
-constexpr int cells_a_side = CellVisibility::side;
+constexpr std::size_t cells_a_side = CellVisibility::side;
 
 /// What was seen, cell by cell; chance puts borders into it.
 struct Seen {
@@ -22,16 +22,15 @@ struct Seen {
     CellVisibility cells;
 
     explicit Seen(std::uint64_t seed) {
-        for (int row = 0; row < cells_a_side; ++row) {
-            for (int column = 0; column < cells_a_side; ++column) {
-                const std::uint64_t random =
-                    mix64(seed ^ mix64(static_cast<std::uint64_t>(cells_a_side * row + column)));
+        for (std::size_t row = 0; row < cells_a_side; ++row) {
+            for (std::size_t column = 0; column < cells_a_side; ++column) {
+                const std::uint64_t random = mix64(seed ^ mix64(cells_a_side * row + column));
                 const bool beyond = column + row / 2 > 20;
                 const bool odd = random % 97 == 0;
                 const bool nothing = random % 5 == 1; // no ray came here
                 open[row][column] = !nothing && (beyond || odd);
                 blocked[row][column] = !nothing && (!beyond || odd);
-                cells.add(static_cast<std::size_t>(row), std::uint32_t{open[row][column]} << column,
+                cells.add(row, std::uint32_t{open[row][column]} << column,
                           std::uint32_t{blocked[row][column]} << column);
             }
         }
@@ -39,11 +38,12 @@ struct Seen {
 };
 
 /// By the definition: one of 2^k × 2^k cells and the four beside it.
-Answer answer_of(const Seen& seen, int row, int column, int k) {
-    const int size = cells_a_side >> k;
-    const auto any = [&](const auto& what, int r, int c) {
+Answer answer_of(const Seen& seen, std::size_t row, std::size_t column, unsigned k) {
+    const std::size_t size = cells_a_side >> k;
+    const std::size_t side = std::size_t{1} << k; // beyond it, below 0 too, there is no cell
+    const auto any = [&](const auto& what, std::size_t r, std::size_t c) {
         bool found = false;
-        for (int i = 0; r >= 0 && c >= 0 && r < 1 << k && c < 1 << k && i < size * size; ++i) {
+        for (std::size_t i = 0; r < side && c < side && i < size * size; ++i) {
             found = found || what[r * size + i / size][c * size + i % size];
         }
         return found;
@@ -61,20 +61,20 @@ Answer answer_of(const Seen& seen, int row, int column, int k) {
 TEST(KnownCells, AreThoseInAndBesideWhichAllRaysMetAlike) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Seen seen(seed);
-        for (int k = 3; k <= 5; ++k) {
+        for (unsigned k = 3; k <= 5; ++k) {
             const auto samples = std::uint32_t{1} << (2 * k);
             const KnownCells known(seen.cells, samples);
             const KnownCells later(seen.cells, 4 * samples - 1); // no finer cell has one of each texel's
             double unknown = 0.0;
-            for (int row = 0; row < 1 << k; ++row) {
-                for (int column = 0; column < 1 << k; ++column) {
+            for (std::size_t row = 0; row < std::size_t{1} << k; ++row) {
+                for (std::size_t column = 0; column < std::size_t{1} << k; ++column) {
                     const Answer expected = answer_of(seen, row, column, k);
                     unknown += expected == Answer::none ? 1.0 : 0.0;
-                    for (int finer = k; finer <= 6; ++finer) {
+                    for (unsigned finer = k; finer <= 6; ++finer) {
                         const CosineStrata::Cell cell{static_cast<std::uint8_t>(((column + 1) << (finer - k)) - 1),
                                                       static_cast<std::uint8_t>(row << (finer - k)), 0, 0};
-                        ASSERT_EQ(known.at(cell, static_cast<unsigned>(finer)), expected) << seed << " " << k;
-                        ASSERT_EQ(later.at(cell, static_cast<unsigned>(finer)), expected) << seed << " " << k;
+                        ASSERT_EQ(known.at(cell, finer), expected) << seed << " " << k;
+                        ASSERT_EQ(later.at(cell, finer), expected) << seed << " " << k;
                     }
                 }
             }
@@ -94,8 +94,8 @@ TEST(KnownCells, MarkedAreSeenAllOver) {
     Seen seen(3);
     const KnownCells known(seen.cells, 64);
     known.mark(seen.cells);
-    for (int row = 0; row < cells_a_side; ++row) {
-        for (int column = 0; column < cells_a_side; ++column) {
+    for (std::size_t row = 0; row < cells_a_side; ++row) {
+        for (std::size_t column = 0; column < cells_a_side; ++column) {
             const Answer answer = answer_of(seen, row / 4, column / 4, 3);
             const auto bit = [&](const CellVisibility::Rows& rows) { return (rows[row] >> column & 1U) != 0; };
             EXPECT_EQ(bit(seen.cells.open()), seen.open[row][column] || answer == Answer::open);
