@@ -42,14 +42,16 @@ Settings pilot_settings(Settings settings) {
 
 /// As which power of its samples a map's rays grow: where answers are reused more and more of them take none.
 double growth_of_rays(const LightMap& map) {
-    const LightMapStatistics& statistics = map.statistics;
-    const auto texels = static_cast<double>(statistics.covered_texels);
-    const double rays = static_cast<double>(statistics.rays + statistics.skipped_directions) / texels;
-    const double samples = rays + static_cast<double>(statistics.spared_rays) / texels;
-    if (statistics.spared_rays == 0) {
+    if (map.statistics.spared_rays == 0) {
         return 1.0;
     }
-    constexpr double traced = KnownCells::least_samples; // the first so many all are
+    double traced = 0.0; // before any were spared
+    double samples = 0.0;
+    for (const std::uint32_t some : map.texel_rays) {
+        traced += std::min(some, KnownCells::least_samples);
+        samples += some;
+    }
+    const double rays = samples - static_cast<double>(map.statistics.spared_rays);
     return std::clamp(std::log(rays / traced) / std::log(samples / traced), 0.5, 1.0);
 }
 
@@ -75,10 +77,10 @@ public:
     /// `texels`: that `map` stands for; of its samples and of its rays there will be so many times as many.
     void add(const LightMap& map, double texels, double more_samples, double more_rays) {
         const double scale = texels / static_cast<double>(map.statistics.covered_texels);
-        const auto rays =
-            static_cast<double>(map.statistics.rays + map.statistics.lamp_rays + map.statistics.peak_rays);
+        const auto rays = static_cast<double>(map.statistics.rays);
+        const auto sought = static_cast<double>(map.statistics.lamp_rays + map.statistics.peak_rays); // none is spared
         m_texels += texels;
-        m_trace.rays += scale * more_rays * rays;
+        m_trace.rays += scale * (more_rays * rays + more_samples * sought);
         m_trace.seconds += scale * more_rays * map.statistics.seconds;
         if (const std::optional<KnownLight> known = known_light(map)) {
             m_light += texels * known->mean;

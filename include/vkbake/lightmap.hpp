@@ -66,8 +66,9 @@ struct LightMap {
     std::optional<MapError> error;
     /// Row-major as the image's texels; 0 where not baked. Of luminance: the truth lies within ± 2.365 standard errors
     /// of the texel's value with a probability of 95 % (Student's t, 7 degrees of freedom: contrasts of eight parts of
-    /// the texel's sequence). Never less than what no hit, or no miss, in all its rays would allow. Where the texel was
-    /// denoised: the root of the squared error to be expected of it, noise and bias, as the texels around it show it.
+    /// the texel's sequence). Never less than what no hit, or no miss, in all its samples would allow. Where the texel
+    /// was denoised: the root of the squared error to be expected of it, noise and bias, as the texels around it show
+    /// it.
     std::vector<float> standard_error;
     std::vector<std::uint32_t> texel_rays; ///< samples a texel; row-major, 0 where not baked
 };

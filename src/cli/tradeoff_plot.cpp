@@ -139,10 +139,11 @@ std::array<Box, 8> places_of(const Mark& mark) {
             box(mark.x - 0.5 * width, mark.y + 7.0)};
 }
 
-/// The colour says that a point is denoised.
+/// The colour says that a point is denoised; beside its like, what sets a point apart is enough.
 std::string label_of(const TradePoint& point) {
     const std::string flags = point.flags.substr(2);
-    return flags.substr(0, flags.find(" --denoise on"));
+    const std::size_t apart = flags.find("reuse off");
+    return apart == std::string::npos ? flags.substr(0, flags.find(" --denoise on")) : flags.substr(apart);
 }
 
 /// The points with their labels, each where it hides no point and no label before it, if there is such a place.

@@ -102,12 +102,10 @@ private:
 
     void extend(const std::vector<TileOrder>& orders) {
         const auto start = Clock::now();
-        double samples = 0.0;
         double work = 0.0;
         for (const TileOrder& order : orders) {
             const double some = static_cast<double>(order.rays - m_map.rays(order.tile)) *
                                 static_cast<double>(m_map.tiles()[order.tile].count);
-            samples += some;
             work += cost(order.tile) * some;
         }
         const double before = m_work;
@@ -118,14 +116,13 @@ private:
             return first || !m_goal.deadline || seconds_until(*m_goal.deadline) > 0.0;
         });
         const double share = orders.empty() ? 1.0 : static_cast<double>(done) / static_cast<double>(orders.size());
-        m_result.samples += share * samples;
         m_work += share * work;
         m_work_a_second = share * work / std::chrono::duration<double>(Clock::now() - start).count();
         m_stopped = done < orders.size();
         m_result.judged = false;
     }
 
-    /// Of a tile's next samples: those that take no ray are to be made all the same.
+    /// Of a tile's next samples, if nothing contradicts what is known: those without a ray are to be made all the same.
     [[nodiscard]] double cost(std::size_t tile) const {
         constexpr double without_ray = 0.2;
         return without_ray + (1.0 - without_ray) * m_map.traced_share(tile);
@@ -281,6 +278,10 @@ private:
             need.rays = pilot_rays;
             need.cost = 1.0;
             at_pilot += need.variance;
+        }
+        m_result.samples = 0.0;
+        for (std::size_t tile = 0; tile < needs.size(); ++tile) {
+            m_result.samples += static_cast<double>(m_map.rays(tile)) * needs[tile].texels;
         }
         m_result.best_samples = m_texels * pilot_rays + allocate_for_variance(fresh, m_estimate.ratio, sum).work;
         m_result.uniform = uniform_rays(at_pilot, sum);

@@ -61,11 +61,12 @@ int count(const CellVisibility::Rows& rows) {
 
 } // namespace
 
-KnownCells::KnownCells(const CellVisibility& seen, std::uint32_t samples) {
-    if (samples < least_samples) {
+KnownCells::KnownCells(const CellVisibility& seen, std::uint32_t samples, std::uint32_t texels) {
+    const auto of_whole_tile = static_cast<std::uint32_t>(std::uint64_t{samples} * texels / RayBlock::lanes);
+    if (of_whole_tile < least_samples) {
         return;
     }
-    m_bits = std::min((static_cast<unsigned>(std::bit_width(samples)) - 1U) / 2U, CellVisibility::bits);
+    m_bits = std::min((static_cast<unsigned>(std::bit_width(of_whole_tile)) - 1U) / 2U, CellVisibility::bits);
     const CellVisibility::Rows open = folded(seen.open(), m_bits);
     const CellVisibility::Rows blocked = folded(seen.blocked(), m_bits);
     const CellVisibility::Rows about_open = widened(open);

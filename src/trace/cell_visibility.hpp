@@ -9,8 +9,8 @@
 
 namespace vkbake {
 
-/// For each cell of the square cut into 32 × 32 whether any of a tile's rays there met nothing, and whether any met
-/// something.
+/// For each cell of the square cut into 32 × 32, which each texel sees about its own normal, whether any of a tile's
+/// rays there met nothing, and whether any met something.
 class CellVisibility {
 public:
     static constexpr unsigned bits = 5; ///< finer cells would take more memory than they spare time
@@ -41,13 +41,14 @@ class KnownCells {
 public:
     enum class Answer : std::uint8_t { none, open, blocked };
 
-    static constexpr std::uint32_t least_samples = 64;  ///< of a texel; fewer tell nothing
+    static constexpr std::uint32_t least_samples = 64;  ///< of each of sixteen texels; fewer tell nothing
     static constexpr std::uint64_t checked_strata = 16; ///< of every so many one is traced though it may be known
 
-    /// From what the first `samples` of each texel met, in cells that have one or more of each texel's.
-    KnownCells(const CellVisibility& seen, std::uint32_t samples);
+    /// From what the first `samples` of each of a tile's texels met, in cells that have one or more of each of sixteen
+    /// texels: those of a tile of fewer are larger, so that as many rays tell.
+    KnownCells(const CellVisibility& seen, std::uint32_t samples, std::uint32_t texels);
 
-    /// Of one of 2^k × 2^k cells; 4^k ≥ samples, or k = CosineStrata::most_bits.
+    /// Of one of 2^k × 2^k cells; k as a CosineStrata of more samples has it.
     [[nodiscard]] Answer at(CosineStrata::Cell cell, unsigned k) const {
         const std::size_t row = cell.row >> (k - m_bits);
         const unsigned column = unsigned{cell.column} >> (k - m_bits);
@@ -57,7 +58,7 @@ public:
         return (m_blocked[row] >> column & 1U) != 0 ? Answer::blocked : Answer::none;
     }
 
-    /// Of samples to come, those that take a ray.
+    /// Of samples to come, those that take a ray if nothing contradicts.
     [[nodiscard]] double traced_share() const;
 
     /// Counts every place in a known cell as seen, for its next samples will not be.

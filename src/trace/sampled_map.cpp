@@ -99,7 +99,7 @@ SampledMap::TileSums SampledMap::sums_of(std::size_t tile) const {
         sums.luminance += luminance(record.sum) / m_rays[tile];
     }
     if (!m_seen.empty()) {
-        sums.traced_share = KnownCells(m_seen[tile], m_rays[tile]).traced_share();
+        sums.traced_share = KnownCells(m_seen[tile], m_rays[tile], m_tiles[tile].count).traced_share();
     }
     return sums;
 }

@@ -56,7 +56,7 @@ public:
     [[nodiscard]] std::span<const TexelTile> tiles() const { return m_tiles; }
     [[nodiscard]] std::size_t texel_count() const { return m_records.size(); }
     [[nodiscard]] std::uint32_t rays(std::size_t tile) const { return m_rays[tile]; } ///< a texel
-    /// Of a tile's next samples, those that take a ray: 1 unless visibility is reused.
+    /// Of a tile's next samples, those that take a ray if nothing contradicts: 1 unless visibility is reused.
     [[nodiscard]] double traced_share(std::size_t tile) const { return m_sums[tile].traced_share; }
 
     [[nodiscard]] MapEstimate estimate() const;

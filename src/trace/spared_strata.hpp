@@ -15,10 +15,10 @@ namespace vkbake {
 /// Each function calls use(strata) with as many at a time as a block of rays has, in their order.
 class SparedStrata {
 public:
-    /// `strata` must outlive it. `seen`: what the tile's rays have met, of strata.first() samples a texel. `random`:
-    /// the tile's own.
-    SparedStrata(const CosineStrata& strata, const CellVisibility& seen, std::uint64_t random)
-        : m_strata(&strata), m_known(seen, strata.first()), m_random(random) {}
+    /// `strata` must outlive it. `seen`: what the tile's rays have met, of strata.first() samples of each of its
+    /// `texels`. `random`: the tile's own.
+    SparedStrata(const CosineStrata& strata, const CellVisibility& seen, std::uint32_t texels, std::uint64_t random)
+        : m_strata(&strata), m_known(seen, strata.first(), texels), m_random(random) {}
 
     [[nodiscard]] const KnownCells& known() const { return m_known; }
 
@@ -62,7 +62,7 @@ private:
         return m_known.at(m_strata->cell(stratum), m_strata->bits()) == answer;
     }
     [[nodiscard]] bool is_checked(std::uint64_t stratum) const {
-        const std::uint64_t chosen = mix64(m_random ^ stratum / KnownCells::checked_strata);
+        const std::uint64_t chosen = mix64(m_random ^ (stratum / KnownCells::checked_strata));
         return (chosen ^ stratum) % KnownCells::checked_strata == 0;
     }
 

@@ -1,6 +1,5 @@
 #include "trace/tile_tracer.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <limits>
 #include <optional>
@@ -116,7 +115,8 @@ void TileTracer::sum_up(const TexelTile& tile, CellVisibility* seen) {
 void TileTracer::trace_unknown(const CosineStrata& strata, CellVisibility& seen) {
     using Answer = KnownCells::Answer;
     const RayCounts before = m_counts;
-    const SparedStrata parted(strata, seen, m_rays.lanes().scrambles.random(0));
+    const auto texels = static_cast<std::uint32_t>(std::popcount(m_rays.lanes().covered));
+    const SparedStrata parted(strata, seen, texels, m_rays.lanes().scrambles.random(0));
     bool holds = true;
     parted.each_checked(Answer::open, [&](const BlockStrata& some) {
         holds = ray_count(trace_strata(some, seen).something) == 0 && holds;
@@ -131,8 +131,7 @@ void TileTracer::trace_unknown(const CosineStrata& strata, CellVisibility& seen)
     } else { // whatever else is thought to be known may be as wrong
         parted.each_unchecked([&](const BlockStrata& some) { trace_strata(some, seen); });
     }
-    const auto texels = static_cast<std::uint64_t>(std::popcount(m_rays.lanes().covered));
-    m_counts.spared_rays += texels * (strata.rays() - strata.first()) - (m_counts.rays - before.rays) -
+    m_counts.spared_rays += std::uint64_t{texels} * (strata.rays() - strata.first()) - (m_counts.rays - before.rays) -
                             (m_counts.skipped_directions - before.skipped_directions);
 }
 

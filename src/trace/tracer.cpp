@@ -194,7 +194,9 @@ bool is_estimated(const Settings& settings) {
 }
 
 /// Whether what its samples meet is to be remembered of each texel.
-bool is_sampled(const Settings& settings) { return is_estimated(settings) || reuses_visibility(settings); }
+bool is_sampled(const Settings& settings) {
+    return is_estimated(settings) || (reuses_visibility(settings) && settings.rays > KnownCells::least_samples);
+}
 
 /// LightMapStatistics::lamps_reached.
 std::vector<std::uint64_t> reached(const TileTracers& workers) {
@@ -293,6 +295,11 @@ LightMap Tracer::trace(const GeometryImage& geometry, const TraceProgress& progr
             trace_adaptively(sampled, samplers, {settings.target_error, deadline}, progress, writer, map);
         } else {
             trace_estimated(sampled, samplers, plan.settings(), progress, writer, map);
+        }
+        if (!is_estimated(settings) && !deadline) { // what reuse alone needed
+            map.error.reset();
+            map.standard_error.clear();
+            map.texel_rays.clear();
         }
     } else {
         trace_plain(tiles, workers, plan, plan.scale() * m_state->intensity, progress, map);

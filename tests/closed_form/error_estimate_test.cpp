@@ -1,6 +1,5 @@
 // What a map says of its own error, held against the truth.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>

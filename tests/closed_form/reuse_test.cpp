@@ -1,6 +1,7 @@
 // Samples whose answer others gave: what they spare, and that the light stays what it is.
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -141,6 +142,22 @@ TEST(Reuse, GivesTheSameBitsOnAnyNumberOfThreadsAndWithAnyAccelerator) {
     const LightMap all = roof.trace(settings);
     EXPECT_EQ(one.image.texels, all.image.texels);
     EXPECT_EQ(one.statistics.rays, all.statistics.rays);
+    EXPECT_GT(one.statistics.spared_rays, 0U);
+}
+
+TEST(Reuse, TracesAllOfFewSamplesAndTellsNoErrorUnasked) {
+    const Roof roof;
+    for (const std::uint32_t rays : {1U, 7U, 15U, 64U, 100U}) {
+        Settings settings = reusing(rays);
+        const LightMap map = roof.trace(settings);
+        EXPECT_FALSE(map.error.has_value());
+        EXPECT_TRUE(map.standard_error.empty());
+        if (rays <= 64) {
+            EXPECT_EQ(map.statistics.spared_rays, 0U);
+            settings.reuse = Switch::off;
+            EXPECT_EQ(map.image.texels, roof.trace(settings).image.texels) << rays;
+        }
+    }
 }
 
 TEST(Reuse, IsUnaskedWhereAnErrorOrATimeIs) {

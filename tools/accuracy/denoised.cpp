@@ -71,6 +71,7 @@ void measure(const std::string& file, const std::string& sky_name, int size, con
     settings.reuse = Switch::off;
     const Bake reference = bake(scene, sky, settings, device);
     settings.seed = 0;
+    settings.reuse.reset();
     std::vector<Point> plain;
     for (const double target : targets) {
         settings.target_error = target;

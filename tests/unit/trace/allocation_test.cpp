@@ -20,7 +20,8 @@ TEST(Allocation, IsTheCheapestOfAll) {
         std::vector<TileNeed> needs;
         double before = 0.0;
         for (int tile = 0; tile < 5; ++tile) {
-            needs.push_back({16, 16U << (random() % 3), std::uniform_real_distribution<>(0.01, 1.0)(random)});
+            needs.push_back({16, 16U << (random() % 3), std::uniform_real_distribution<>(0.01, 1.0)(random),
+                             std::uniform_real_distribution<>(0.1, 1.0)(random)});
             before += needs.back().variance;
         }
         const double wanted = before * 0.2;
@@ -29,16 +30,16 @@ TEST(Allocation, IsTheCheapestOfAll) {
         // All ways to double five tiles up to five times.
         for (int way = 0; way < 6 * 6 * 6 * 6 * 6; ++way) {
             double variance = 0.0;
-            double samples = 0.0;
+            double work = 0.0;
             int digits = way;
             for (const TileNeed& need : needs) {
                 const int doublings = digits % 6;
                 digits /= 6;
                 variance += need.variance * std::pow(ratio, doublings);
-                samples += 16.0 * need.rays * (std::pow(2.0, doublings) - 1.0);
+                work += need.cost * 16.0 * need.rays * (std::pow(2.0, doublings) - 1.0);
             }
-            // Lagrange's condition gives the least variance that so many samples can have.
-            if (samples <= found.work) {
+            // Lagrange's condition gives the least variance that so much work can bring.
+            if (work <= found.work) {
                 ASSERT_GE(variance, found.variance * (1.0 - 1e-9));
             }
         }

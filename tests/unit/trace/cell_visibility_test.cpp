@@ -63,8 +63,8 @@ TEST(KnownCells, AreThoseInAndBesideWhichAllRaysMetAlike) {
         const Seen seen(seed);
         for (unsigned k = 3; k <= 5; ++k) {
             const auto samples = std::uint32_t{1} << (2 * k);
-            const KnownCells known(seen.cells, samples);
-            const KnownCells later(seen.cells, 4 * samples - 1); // no finer cell has one of each texel's
+            const KnownCells known(seen.cells, samples, 16);
+            const KnownCells later(seen.cells, 4 * samples - 1, 16); // no finer cell has one of each texel's
             double unknown = 0.0;
             for (std::size_t row = 0; row < std::size_t{1} << k; ++row) {
                 for (std::size_t column = 0; column < std::size_t{1} << k; ++column) {
@@ -85,14 +85,20 @@ TEST(KnownCells, AreThoseInAndBesideWhichAllRaysMetAlike) {
 }
 
 TEST(KnownCells, AreNoneOfFewerThan64Samples) {
-    const KnownCells known(Seen(1).cells, 63);
+    const KnownCells known(Seen(1).cells, 63, 16);
     EXPECT_EQ(known.traced_share(), 1.0);
     EXPECT_EQ(known.at({0, 0, 0, 0}, 3), Answer::none);
 }
 
+TEST(KnownCells, AreNoneOfAFewTexelsFewSamples) {
+    const Seen seen(1);
+    EXPECT_EQ(KnownCells(seen.cells, 1023, 1).traced_share(), 1.0);
+    EXPECT_LT(KnownCells(seen.cells, 1024, 1).traced_share(), 1.0);
+}
+
 TEST(KnownCells, MarkedAreSeenAllOver) {
     Seen seen(3);
-    const KnownCells known(seen.cells, 64);
+    const KnownCells known(seen.cells, 64, 16);
     known.mark(seen.cells);
     for (std::size_t row = 0; row < cells_a_side; ++row) {
         for (std::size_t column = 0; column < cells_a_side; ++column) {
