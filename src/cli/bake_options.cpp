@@ -82,13 +82,9 @@ void add_error_options(CLI::App& app, Settings& settings) {
         ->check(CLI::PositiveNumber);
     app.add_flag("--error-map", settings.estimate_error,
                  "Estimate each texel's error and write it beside the light map; costs no rays");
-    app.add_option_function<std::string>(
-           "--reuse", [&settings](const std::string& name) { settings.reuse = value_named<Switch>(name); },
-           "Spare a sample its ray where all those around it met alike; without it, on where an error or a time is "
-           "asked "
-           "for")
-        ->check(CLI::IsMember({"on", "off"}))
-        ->type_name("on|off");
+    add_choice(app, "--reuse", settings.reuse,
+               "Spare samples a ray where all those around them met alike; without it, on where an error or a time is "
+               "asked for");
     add_choice(app, "--denoise", settings.denoise,
                "Filter noise out where neighbouring texels differ by no more than their errors explain");
     add_choice(app, "--blend-creases", settings.blend_creases,

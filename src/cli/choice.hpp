@@ -1,6 +1,7 @@
 // Flags whose value is one of an enum's names.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 
 namespace vkbake::cli {
 
-template<typename Enum>
-CLI::Option* add_choice(CLI::App& app, const std::string& flag, Enum& target, const std::string& help) {
+/// `Target`: what an Enum can be assigned to.
+template<typename Enum, typename Target>
+CLI::Option* add_choice_of(CLI::App& app, const std::string& flag, Target& target, const std::string& help) {
     std::string choices;
     std::vector<std::string> names;
     for (const auto& [name, value] : Names<Enum>::values) {
@@ -26,8 +28,18 @@ CLI::Option* add_choice(CLI::App& app, const std::string& flag, Enum& target, co
                        ? std::string()
                        : "\"" + text + "\" is not one of " + choices;
         })
-        ->type_name(choices)
-        ->default_str(std::string(name_of(target)));
+        ->type_name(choices);
+}
+
+template<typename Enum>
+CLI::Option* add_choice(CLI::App& app, const std::string& flag, Enum& target, const std::string& help) {
+    return add_choice_of<Enum>(app, flag, target, help)->default_str(std::string(name_of(target)));
+}
+
+/// Without the flag the target stays as it is.
+template<typename Enum>
+CLI::Option* add_choice(CLI::App& app, const std::string& flag, std::optional<Enum>& target, const std::string& help) {
+    return add_choice_of<Enum>(app, flag, target, help);
 }
 
 } // namespace vkbake::cli
