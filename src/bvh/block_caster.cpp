@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "base/simd_targets.hpp"
 #include "bvh/each_ray.hpp"

@@ -10,7 +10,6 @@ namespace vkbake {
 
 // Chosen by measurement, see docs/tracing.md.
 inline constexpr std::size_t rays_for_queue = 64; ///< so few rays that pass a box go on alone
-inline constexpr std::size_t packet_gain = 2;     ///< with fewer triangles than so many a ray they are tested together
 inline constexpr std::size_t ray_batch = 32;
 inline constexpr std::size_t leaf_batch = 16;
 

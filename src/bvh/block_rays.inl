@@ -19,8 +19,41 @@ struct BlockRays {
     float sure_sum; ///< see test_corners
 };
 
-// A ray's course: a bit for each negative component of its direction, then the axis of the largest one.
-constexpr unsigned course_axis_shift = 3;
+// A ray's course: a bit for each negative component of its direction, then twice the axis of the largest one, and one
+// more where that is negative.
+constexpr int course_axis_shift = 3;
+
+// What a ray's course says, by tables: which way a ray runs cannot be foretold any better than what it meets.
+
+/// The rows of a node's planes by which a ray enters boxes and by which it leaves them, axis by axis: one that runs
+/// downwards enters by the high plane.
+struct BoxRows {
+    std::array<std::uint8_t, 3> near, far;
+};
+constexpr std::array<BoxRows, 8> box_rows_of_courses{{{{0, 1, 2}, {3, 4, 5}},
+                                                      {{3, 1, 2}, {0, 4, 5}},
+                                                      {{0, 4, 2}, {3, 1, 5}},
+                                                      {{3, 4, 2}, {0, 1, 5}},
+                                                      {{0, 1, 5}, {3, 4, 2}},
+                                                      {{3, 1, 5}, {0, 4, 2}},
+                                                      {{0, 4, 5}, {3, 1, 2}},
+                                                      {{3, 4, 5}, {0, 1, 2}}}};
+[[nodiscard]] HWY_INLINE const BoxRows& box_rows_of(std::uint32_t course) { return box_rows_of_courses[course & 7U]; }
+
+/// The axes of ShearedRay, and the sign of the largest component.
+struct CourseAxes {
+    LeafAxes leaf;
+    float sign;
+};
+constexpr std::array<CourseAxes, 6> axes_of_courses{{{{1, 2, 0}, 1.0F},
+                                                     {{2, 1, 0}, -1.0F},
+                                                     {{2, 0, 1}, 1.0F},
+                                                     {{0, 2, 1}, -1.0F},
+                                                     {{0, 1, 2}, 1.0F},
+                                                     {{1, 0, 2}, -1.0F}}};
+[[nodiscard]] HWY_INLINE const CourseAxes& axes_of(std::uint32_t course) {
+    return axes_of_courses[course >> course_axis_shift];
+}
 
 HWY_INLINE void store_course(const Row* direction, const RowMask& along_x, const RowMask& along_y,
                              std::array<std::uint32_t, RayBlock::lanes>& course) {
@@ -28,7 +61,9 @@ HWY_INLINE void store_course(const Row* direction, const RowMask& along_x, const
     for (std::size_t p = 0; p < part_count; ++p) {
         const auto sign = [&](std::size_t axis)
                               HWY_ATTR { return hn::ShiftRight<31>(hn::BitCast(lanes, direction[axis].part[p])); };
-        const auto axis_bits = [&](std::uint32_t axis) HWY_ATTR { return hn::Set(lanes, axis << course_axis_shift); };
+        const auto axis_bits = [&](std::uint32_t axis) HWY_ATTR {
+            return hn::Or(hn::Set(lanes, 2 * axis << course_axis_shift), hn::ShiftLeft<course_axis_shift>(sign(axis)));
+        };
         const auto axis =
             hn::IfThenElse(hn::RebindMask(lanes, along_x.part[p]), axis_bits(0),
                            hn::IfThenElse(hn::RebindMask(lanes, along_y.part[p]), axis_bits(1), axis_bits(2)));

@@ -152,51 +152,51 @@ private:
         std::array<std::uint32_t, ray_batch> rays;  // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
         while (m_ray_count >= enough) {
             const std::size_t count = std::min(m_ray_count, ray_batch);
-            m_ray_count -= count;
+            // Held here, so that they stay in registers whatever is stored meanwhile.
+            Waiting waiting{m_scratch.nodes.data(), m_scratch.rays.data(), m_ray_count - count, m_leaf_count};
             // All of them, however few count: a copy whose size is known is four moves.
-            std::memcpy(nodes.data(), &m_scratch.nodes[m_ray_count], sizeof nodes);
-            std::memcpy(rays.data(), &m_scratch.rays[m_ray_count], sizeof rays);
+            std::memcpy(nodes.data(), waiting.nodes + waiting.ray_count, sizeof nodes);
+            std::memcpy(rays.data(), waiting.rays + waiting.ray_count, sizeof rays);
             for (std::size_t i = 0; i < count; ++i) {
                 fetch(&m_hierarchy.nodes[nodes[std::min(i + 3, count - 1)]], sizeof(WideNode));
                 if (is_alive(rays[i])) {
-                    visit_node(nodes[i], rays[i]);
+                    visit_node(m_hierarchy.nodes[nodes[i]], rays[i], waiting);
                 }
             }
+            m_ray_count = waiting.ray_count;
+            m_leaf_count = waiting.leaf_count;
             if (m_leaf_count >= leaf_batch) {
                 work_off_leaves();
             }
         }
     }
 
-    // By a table: where rays run cannot be foretold either. A ray that runs downwards enters a box by its high plane.
-    static constexpr std::array<std::array<std::uint8_t, 4>, 8> near_rows_of_courses{
-        {{0, 1, 2}, {3, 1, 2}, {0, 4, 2}, {3, 4, 2}, {0, 1, 5}, {3, 1, 5}, {0, 4, 5}, {3, 4, 5}}};
+    struct Waiting {
+        std::uint32_t* nodes;
+        std::uint32_t* rays;
+        std::size_t ray_count;
+        std::size_t leaf_count;
+    };
 
-    HWY_INLINE void visit_node(std::uint32_t index, std::uint32_t ray) {
-        const WideNode& node = m_hierarchy.nodes[index];
+    HWY_INLINE void visit_node(const WideNode& node, std::uint32_t ray, Waiting& waiting) {
         const std::size_t s = ray / 16;
         const std::size_t lane = ray % 16;
-        const auto& near_rows = near_rows_of_courses[m_rays.course[s][lane] & 7U];
+        const BoxRows& rows = box_rows_of(m_rays.course[s][lane]);
         Row entry = fill(0.0F);
         Row exit = fill(m_block.max_distance);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::size_t near_row = near_rows[axis];
-            const std::size_t far_row = 2 * axis + 3 - near_row;
+            const std::size_t near = rows.near[axis];
+            const std::size_t far = rows.far[axis];
             const Row inverse = fill(m_rays.inverse[s][axis][lane]);
-            entry = max(
-                entry, multiply_subtract(load(node.planes[near_row]), inverse, fill(m_rays.offset[s][near_row][lane])));
-            exit = min(exit,
-                       multiply_subtract(load(node.planes[far_row]), inverse, fill(m_rays.offset[s][far_row][lane])));
+            entry = max(entry, multiply_subtract(load(node.planes[near]), inverse, fill(m_rays.offset[s][near][lane])));
+            exit = min(exit, multiply_subtract(load(node.planes[far]), inverse, fill(m_rays.offset[s][far][lane])));
         }
         const unsigned met = (entry <= exit).bits();
         const unsigned leaves = met & leaf_lanes(node);
-        const unsigned nodes = met & ~leaves;
-        const std::size_t node_count = compress(node.children, nodes, &m_scratch.nodes[m_ray_count]);
-        fill_numbers(ray, &m_scratch.rays[m_ray_count]);
-        m_ray_count += node_count;
-        const std::size_t leaf_count = compress(node.children, leaves, &m_leaves[m_leaf_count]);
-        fill_numbers(ray, &m_leaf_rays[m_leaf_count]);
-        m_leaf_count += leaf_count;
+        fill_numbers(ray, &waiting.rays[waiting.ray_count]);
+        waiting.ray_count += compress(node.children, met & ~leaves, &waiting.nodes[waiting.ray_count]);
+        fill_numbers(ray, &m_leaf_rays[waiting.leaf_count]);
+        waiting.leaf_count += compress(node.children, leaves, &m_leaves[waiting.leaf_count]);
     }
 
     [[nodiscard]] static HWY_INLINE unsigned leaf_lanes(const WideNode& node) {
@@ -221,7 +221,9 @@ private:
         for (; strata != 0; strata &= strata - 1) {
             const auto s = static_cast<std::uint32_t>(std::countr_zero(strata));
             const auto rays = static_cast<std::size_t>(std::popcount(met[s]));
-            if (triangles < packet_gain * rays && one_axis(s, met[s])) {
+            // For a ray by itself a vector holds so many triangles, for all rays of a stratum a row takes so many
+            // vectors.
+            if (triangles < part_count * rays && one_axis(s, met[s])) {
                 visit_leaf_together(leaf, s, met[s]);
                 continue;
             }
@@ -237,7 +239,7 @@ private:
     [[nodiscard]] HWY_INLINE bool one_axis(std::size_t s, unsigned lanes) const {
         const auto& course = m_rays.course[s];
         const std::uint32_t first = course[static_cast<std::size_t>(std::countr_zero(lanes))];
-        const std::uint32_t mask = 3U << course_axis_shift | 1U << (first >> course_axis_shift);
+        const std::uint32_t mask = 7U << course_axis_shift;
         return (differ(course, first, mask).bits() & lanes) == 0;
     }
 
@@ -246,16 +248,11 @@ private:
         const Leaf& leaf = leaf_at(index);
         const auto& [axes, turn] = axes_of(m_rays.course[s][static_cast<std::size_t>(std::countr_zero(lanes))]);
         const Row sign = fill(turn);
-        const LeafRays<part_count> rays{load(m_block.origin[axes.x]),
-                                        load(m_block.origin[axes.y]),
-                                        sign,
-                                        sign * load(m_block.origin[axes.z]),
-                                        load(m_rays.turned_shear[s][0]),
-                                        load(m_rays.turned_shear[s][1]),
-                                        load(m_rays.sure_depth[s]),
-                                        load(m_rays.futile_depth[s]),
-                                        m_rays.limited,
-                                        fill(m_rays.sure_sum)};
+        const LeafRays<part_count> rays{
+            load(m_block.origin[axes.x]),        load(m_block.origin[axes.y]),    sign,
+            sign * load(m_block.origin[axes.z]), load(m_rays.turned_shear[s][0]), load(m_rays.turned_shear[s][1]),
+            load(m_rays.sure_depth[s]),          load(m_rays.futile_depth[s])};
+        const LeafLimits<part_count> limits(m_rays.limited, m_rays.sure_sum);
         using Rows = std::array<RayBlock::LaneRow, leaf_vertices>;
         alignas(64) Rows x; // NOLINT(cppcoreguidelines-pro-type-member-init): zeroing costs more than the test
         alignas(64) Rows y; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
@@ -275,11 +272,12 @@ private:
             const std::size_t a = vertex_of(leaf, triangle, 0);
             const std::size_t b = vertex_of(leaf, triangle, 1);
             const std::size_t c = vertex_of(leaf, triangle, 2);
-            const LeafAnswer<part_count> answer = test_corners<part_count>(
-                rays, {{load(x[a]), load(y[a]), load(x[b]), load(y[b]), load(x[c]), load(y[c])},
-                       load(z[a]),
-                       load(z[b]),
-                       load(z[c])});
+            const LeafAnswer<part_count> answer =
+                test_corners<part_count>(rays, limits,
+                                         {{load(x[a]), load(y[a]), load(x[b]), load(y[b]), load(x[c]), load(y[c])},
+                                          load(z[a]),
+                                          load(z[b]),
+                                          load(z[c])});
             const RowMask others = unlike(m_ignored, leaf.first_place + static_cast<std::uint32_t>(triangle));
             left &= ~(answer.hit & others).bits();
             doubts[triangle] = (answer.doubt & others).bits();
@@ -296,34 +294,20 @@ private:
         m_rays.alive[s] = static_cast<RayBlock::LaneBits>(m_rays.alive[s] & ~(lanes & ~left));
     }
 
-    // By a table: the axis that a ray follows cannot be foretold any better than what it meets.
-    struct Axes {
-        LeafAxes leaf;
-        float sign;
-    };
-    static constexpr std::array<Axes, 6> axes_of_courses{{{{1, 2, 0}, 1.0F},
-                                                          {{2, 1, 0}, -1.0F},
-                                                          {{2, 0, 1}, 1.0F},
-                                                          {{0, 2, 1}, -1.0F},
-                                                          {{0, 1, 2}, 1.0F},
-                                                          {{1, 0, 2}, -1.0F}}};
-    [[nodiscard]] static HWY_INLINE const Axes& axes_of(std::uint32_t course) {
-        const std::uint32_t z = course >> course_axis_shift;
-        return axes_of_courses[2 * z + (course >> z & 1U)];
-    }
-
     // Without a branch on what a ray meets: it cannot be foretold, and the next rays need not wait for it. The one on
     // rays that have been blocked since they came here spares a fifth of the leaves.
     void work_off_leaves() {
+        const LeafLimits<1> limits(m_rays.limited, m_rays.sure_sum); // held here: in registers whatever is stored
+        const std::size_t count = m_leaf_count;
         std::size_t doubtful = 0;
-        for (std::size_t i = 0; i < m_leaf_count; ++i) {
-            fetch(&leaf_at(m_leaves[std::min(i + 3, m_leaf_count - 1)]), sizeof(Leaf));
+        for (std::size_t i = 0; i < count; ++i) {
+            fetch(&leaf_at(m_leaves[std::min(i + 3, count - 1)]), sizeof(Leaf));
             const std::uint32_t ray = m_leaf_rays[i];
             if (!is_alive(ray)) {
                 continue;
             }
             const Leaf& leaf = leaf_at(m_leaves[i]);
-            const LeafBits met = ask_leaf(m_leaves[i], ray);
+            const LeafBits met = ask_leaf(m_leaves[i], ray, limits);
             const unsigned others = triangles_but(leaf, m_leaves[i], m_ignored[ray % 16]);
             const auto hit = static_cast<unsigned>((met.hit & others) != 0);
             const unsigned doubt = met.doubt & others;
@@ -341,7 +325,8 @@ private:
         }
     }
 
-    [[nodiscard]] HWY_INLINE LeafBits ask_leaf(std::uint32_t child, std::uint32_t ray) const {
+    [[nodiscard]] HWY_INLINE LeafBits ask_leaf(std::uint32_t child, std::uint32_t ray,
+                                               const LeafLimits<1>& limits) const {
         const std::size_t s = ray / 16;
         const std::size_t lane = ray % 16;
         const auto& [axes, sign] = axes_of(m_rays.course[s][lane]);
@@ -351,11 +336,9 @@ private:
                                fill<1>(sign * m_block.origin[axes.z][lane]),
                                fill<1>(m_rays.turned_shear[s][0][lane]),
                                fill<1>(m_rays.turned_shear[s][1][lane]),
-                               fill<1>(m_rays.limited ? m_rays.sure_depth[s][lane] : 0.0F),
-                               fill<1>(m_rays.limited ? m_rays.futile_depth[s][lane] : 0.0F),
-                               m_rays.limited,
-                               fill<1>(m_rays.sure_sum)};
-        return test_leaf(rays, axes, leaf_at(child), triangles_of(child));
+                               fill<1>(limits.limited ? m_rays.sure_depth[s][lane] : 0.0F),
+                               fill<1>(limits.limited ? m_rays.futile_depth[s][lane] : 0.0F)};
+        return test_leaf(rays, limits, axes, leaf_at(child), triangles_of(child));
     }
 
     /// Whether a ray meets any of these triangles of a leaf, asked in double.

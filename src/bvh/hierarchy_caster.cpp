@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "base/simd_targets.hpp"
@@ -65,7 +66,8 @@ public:
     HWY_INLINE explicit LeafTest(const Hierarchy& hierarchy, const PreparedRay& ray)
         : m_ignored(place_of(hierarchy, ray.ignored_rank)), m_axes{static_cast<std::uint32_t>(ray.x_axis),
                                                                    static_cast<std::uint32_t>(ray.y_axis),
-                                                                   static_cast<std::uint32_t>(ray.z_axis)} {
+                                                                   static_cast<std::uint32_t>(ray.z_axis)},
+          m_limits(ray.max_distance < std::numeric_limits<float>::infinity(), sure_sum_of(ray.extent)) {
         const float sign = ray.direction[ray.z_axis] < 0.0F ? -1.0F : 1.0F;
         const float depth = ray.max_distance * sign * ray.direction[ray.z_axis];
         m_rays = {fill<1>(ray.origin[ray.x_axis]),
@@ -75,13 +77,11 @@ public:
                   fill<1>(sign * ray.shear_x),
                   fill<1>(sign * ray.shear_y),
                   fill<1>(depth * nearly_one),
-                  fill<1>(depth * just_over_one),
-                  ray.max_distance < std::numeric_limits<float>::infinity(),
-                  fill<1>(sure_sum_of(ray.extent))};
+                  fill<1>(depth * just_over_one)};
     }
 
     HWY_INLINE Candidates operator()(const Leaf& leaf, std::uint32_t child) const {
-        const LeafBits met = test_leaf(m_rays, m_axes, leaf, triangles_of(child));
+        const LeafBits met = test_leaf(m_rays, m_limits, m_axes, leaf, triangles_of(child));
         const unsigned others = triangles_but(leaf, child, m_ignored);
         return {met.doubt & others, (met.hit & others) != 0};
     }
@@ -89,6 +89,7 @@ public:
 private:
     std::uint32_t m_ignored; ///< a place
     LeafAxes m_axes;
+    LeafLimits<1> m_limits;
     LeafRays<1> m_rays;
 };
 

@@ -13,8 +13,16 @@ struct LeafRays {
     Lane sign, turned_origin_z;          ///< ±1; sign · origin.z
     Lane turned_shear_x, turned_shear_y; ///< sign · slope
     Lane sure_depth, futile_depth;       ///< along z: below the first a hit is near enough, from the second on too far
-    bool limited = false;                ///< false: there is no limit, and no depth is too far
-    Lane sure_sum;                       ///< see test_corners and sure_sum_of
+};
+
+/// What all rays of a block have in common.
+template<std::size_t Parts>
+struct LeafLimits {
+    bool limited;                 ///< false: there is no limit, and no depth is too far
+    Wide<Parts> behind, in_front; ///< see test_corners and sure_sum_of
+
+    HWY_INLINE LeafLimits(bool has_limit, float sure_sum)
+        : limited(has_limit), behind(fill<Parts>(-sure_sum)), in_front(fill<Parts>(sure_sum)) {}
 };
 
 /// Vertices as the ray or rays see them: sheared, and how far along z.
@@ -49,7 +57,8 @@ struct LeafAnswer {
 /// coordinates are below 2·M and depths below M, so an edge function is off by at most 16·2⁻²⁴·M², the sum by
 /// 48·2⁻²⁴·M³ from these and by 72·2⁻²⁴·M³ from its own roundings: beyond 256·2⁻²⁴·M³ its sign is that of t.
 template<std::size_t Parts>
-HWY_INLINE LeafAnswer<Parts> test_corners(const LeafRays<Parts>& ray, const LeafCorners<Parts>& corner) {
+HWY_INLINE LeafAnswer<Parts> test_corners(const LeafRays<Parts>& ray, const LeafLimits<Parts>& limits,
+                                          const LeafCorners<Parts>& corner) {
     using Lane = Wide<Parts>;
     const Lane zero = fill<Parts>(0.0F);
     const EdgeFunctions<Lane> edge(corner.at);
@@ -63,9 +72,9 @@ HWY_INLINE LeafAnswer<Parts> test_corners(const LeafRays<Parts>& ray, const Leaf
     const auto strictly = zero < alike;
     const auto perhaps = zero <= alike;
     const Lane depth = turned_by_sign(sum, least + greatest);
-    const auto ahead = (fill<Parts>(surely_in_front) < nearest) | (ray.sure_sum < depth);
-    LeafAnswer<Parts> answer{strictly & ahead, perhaps & (zero < farthest) & (zero - ray.sure_sum <= depth)};
-    if (ray.limited) {
+    const auto ahead = (fill<Parts>(surely_in_front) < nearest) | (limits.in_front < depth);
+    LeafAnswer<Parts> answer{strictly & ahead, perhaps & (zero < farthest) & (limits.behind <= depth)};
+    if (limits.limited) {
         answer.hit = answer.hit & (farthest < ray.sure_depth);
         answer.doubt = answer.doubt & (nearest < ray.futile_depth);
     }
@@ -84,7 +93,8 @@ struct LeafBits {
 
 /// One ray against so many triangles of a leaf, a vector of them at a time: more do not fit the registers of AVX2, and
 /// most leaves have fewer than nine.
-HWY_INLINE LeafBits test_leaf(const LeafRays<1>& ray, const LeafAxes& axes, const Leaf& leaf, std::size_t triangles) {
+HWY_INLINE LeafBits test_leaf(const LeafRays<1>& ray, const LeafLimits<1>& limits, const LeafAxes& axes,
+                              const Leaf& leaf, std::size_t triangles) {
     Row x;
     Row y;
     Row z;
@@ -101,10 +111,11 @@ HWY_INLINE LeafBits test_leaf(const LeafRays<1>& ray, const LeafAxes& axes, cons
         const Places b = unpack_places<4>(leaf.corners, p);
         const Places c = unpack_places<8>(leaf.corners, p);
         const LeafAnswer<1> answer =
-            test_corners<1>(ray, {{pick(x, a), pick(y, a), pick(x, b), pick(y, b), pick(x, c), pick(y, c)},
-                                  pick(z, a),
-                                  pick(z, b),
-                                  pick(z, c)});
+            test_corners<1>(ray, limits,
+                            {{pick(x, a), pick(y, a), pick(x, b), pick(y, b), pick(x, c), pick(y, c)},
+                             pick(z, a),
+                             pick(z, b),
+                             pick(z, c)});
         bits.hit |= answer.hit.bits() << (p * part_size);
         bits.doubt |= answer.doubt.bits() << (p * part_size);
     }
