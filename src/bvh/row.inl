@@ -26,7 +26,7 @@ struct WideMask {
             alignas(8) std::uint8_t bytes[8];
             hn::StoreMaskBits(Lanes(), part[p], bytes);
             // Two at once, which stay in a register, where a vector has as many: each by itself takes three more steps.
-            std::conditional_t<(part_size > 8), std::uint16_t, std::uint8_t> bits;
+            std::conditional_t<(part_size > 8), std::uint16_t, std::uint8_t> bits = 0;
             std::memcpy(&bits, bytes, sizeof bits);
             all |= static_cast<unsigned>(bits) << (p * part_size);
         }
