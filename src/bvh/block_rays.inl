@@ -26,7 +26,7 @@ constexpr int course_axis_shift = 3;
 // What a ray's course says, by tables: which way a ray runs cannot be foretold any better than what it meets.
 
 /// The rows of a node's planes by which a ray enters boxes and by which it leaves them, axis by axis: one that runs
-/// downwards enters by the high plane.
+/// downwards enters by the high plane. Both stand here: to work one out from the other takes longer than to load it.
 struct BoxRows {
     std::array<std::uint8_t, 3> near, far;
 };

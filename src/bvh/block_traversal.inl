@@ -34,6 +34,10 @@ public:
 private:
     using StratumRays = std::array<RayBlock::LaneBits, RayBlock::strata>;
 
+    /// With fewer triangles than so many a ray they are tested together. Where a vector holds a whole leaf, single rays
+    /// are cheaper. See docs/tracing.md.
+    static constexpr std::size_t packet_gain = part_count == 1 ? 1 : 2;
+
     // A batch of rays, or the beams, may add so many to a batch that is not full.
     static constexpr std::size_t leaf_capacity =
         leaf_batch + std::max(ray_batch * node_width, RayBlock::rays) + node_width;
@@ -221,9 +225,7 @@ private:
         for (; strata != 0; strata &= strata - 1) {
             const auto s = static_cast<std::uint32_t>(std::countr_zero(strata));
             const auto rays = static_cast<std::size_t>(std::popcount(met[s]));
-            // For a ray by itself a vector holds so many triangles, for all rays of a stratum a row takes so many
-            // vectors.
-            if (triangles < part_count * rays && one_axis(s, met[s])) {
+            if (triangles < packet_gain * rays && one_axis(s, met[s])) {
                 visit_leaf_together(leaf, s, met[s]);
                 continue;
             }

@@ -130,8 +130,8 @@ int run(int argument_count, char** arguments) {
         results.push_back(read_result(file));
     }
     fmt::print(
-        "Medians of {} time, commit {}; rates and ratios with rays made on the way where nothing else is said.\n",
-        results.front().clock, results.front().commit);
+        "{}. Medians of {} time, commit {}; rates and ratios with rays made on the way where nothing else is said.\n",
+        results.front().processor, results.front().clock, results.front().commit);
     print_table(fmt::format("{} thread{}:", results.front().few, results.front().few == 1 ? "" : "s"), results,
                 columns(false));
     if (results.front().many != results.front().few) {

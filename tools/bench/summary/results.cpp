@@ -59,6 +59,7 @@ Result read_result(const std::filesystem::path& file) {
         Result result;
         result.scene = json.at("scene").get<std::string>();
         result.commit = json.at("machine").at("commit").get<std::string>();
+        result.processor = json.at("machine").at("processor").get<std::string>();
         result.clock = json.at("settings").at("clock").get<std::string>();
         result.size = json.at("settings").at("size").get<int>();
         result.triangles = json.at("triangles").get<std::size_t>();

@@ -17,6 +17,7 @@ struct PassResult {
 struct Result {
     std::string scene;
     std::string commit;
+    std::string processor;
     std::string clock;
     int size = 0;
     std::size_t triangles = 0;
