@@ -15,7 +15,8 @@ struct PassSeconds {
     double cpu = 0.0;  ///< what the threads spent on it, the mean: what `wall` would be on a machine without other load
 };
 
-/// Each thread makes its Work before the start; threads take the tiles in order, one at a time.
+/// Each thread has a core of its own, if there are as many, and makes its Work before the start; threads take the tiles
+/// in order, one at a time.
 [[nodiscard]] PassSeconds timed_pass(int threads, std::size_t tiles, const std::function<Work()>& make_work);
 
 [[nodiscard]] double median(std::vector<double> values);
