@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <barrier>
 #include <chrono>
 #include <ctime>
 #include <numeric>
@@ -40,40 +41,16 @@ std::vector<cpu_set_t> own_cores(std::size_t threads) {
     return cores;
 }
 
-/// Where a team starts together. Nobody sleeps, for waking takes longer on one core than on another.
-class StartingLine {
-public:
-    using Clock = std::chrono::steady_clock;
-
-    explicit StartingLine(std::size_t threads) : m_missing(threads) {}
-
-    void arrive_and_wait() {
-        if (--m_missing == 0) {
-            m_start = Clock::now();
-            m_started.store(true, std::memory_order_release);
-        }
-        while (!m_started.load(std::memory_order_acquire)) {
-            std::this_thread::yield();
-        }
-    }
-    /// Once all have arrived.
-    [[nodiscard]] Clock::time_point start() const { return m_start; }
-
-private:
-    std::atomic<std::size_t> m_missing;
-    std::atomic<bool> m_started{false};
-    Clock::time_point m_start; ///< published by m_started
-};
-
 } // namespace
 
 PassSeconds timed_pass(int threads, std::size_t tiles, const std::function<Work()>& make_work) {
-    using Clock = StartingLine::Clock;
+    using Clock = std::chrono::steady_clock;
     const auto count = static_cast<std::size_t>(std::max(threads, 1));
+    Clock::time_point start;
     const std::vector<cpu_set_t> cores = own_cores(count);
     std::vector<Clock::time_point> ends(count);
     std::vector<double> spent(count);
-    StartingLine line(count);
+    std::barrier ready(static_cast<std::ptrdiff_t>(count), [&start]() noexcept { start = Clock::now(); });
     std::atomic<std::size_t> next{0};
     {
         std::vector<std::jthread> team;
@@ -84,7 +61,7 @@ PassSeconds timed_pass(int threads, std::size_t tiles, const std::function<Work(
                     (void)sched_setaffinity(0, sizeof(cores[thread]), &cores[thread]);
                 }
                 const Work work = make_work();
-                line.arrive_and_wait();
+                ready.arrive_and_wait();
                 const double before = cpu_seconds();
                 for (std::size_t tile = next++; tile < tiles; tile = next++) {
                     work(tile);
@@ -94,7 +71,7 @@ PassSeconds timed_pass(int threads, std::size_t tiles, const std::function<Work(
             });
         }
     }
-    return {std::chrono::duration<double>(*std::max_element(ends.begin(), ends.end()) - line.start()).count(),
+    return {std::chrono::duration<double>(*std::max_element(ends.begin(), ends.end()) - start).count(),
             std::accumulate(spent.begin(), spent.end(), 0.0) / static_cast<double>(count)};
 }
 
