@@ -22,8 +22,11 @@ cmake --preset release -DVKBAKE_TOOLS=ON -DVKBAKE_BENCHMARKS=ON -DCMAKE_UNITY_BU
 cmake --build --preset release --target make_scenes vkbake_bench_rays vkbake_bench_summary >/dev/null
 tools=build/release/tools
 made=build/release/bench-scenes
-results=tools/bench/results
-mkdir -p "$made" "$results"
+kept=tools/bench/results
+results=build/release/bench-results # until all are there: kept ones that change would make the checkout a changed one
+mkdir -p "$made" "$kept"
+rm -rf "$results"
+mkdir "$results"
 "$tools/make_scenes/make_scenes" --benchmarks "$made"
 
 scenes=("$made"/thesis-objects.glb "$made"/furnished-apartment.glb)
@@ -54,3 +57,4 @@ for size in "${sizes[@]}"; do
     "$tools/bench/summary/vkbake_bench_summary" "${files[@]}" --plot "$results/forest-$size.svg" --family forest- | tee "$results/summary-$size.md"
     "$tools/bench/summary/vkbake_bench_summary" "${files[@]}" --plot "$results/grove-$size.svg" --family grove- >/dev/null
 done
+cp "$results"/* "$kept"
