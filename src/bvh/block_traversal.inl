@@ -115,6 +115,7 @@ private:
             planes[row] = fill(node.planes[row][child]);
         }
         std::size_t count = 0;
+        unsigned passing = 0;
         for (unsigned bits = strata; bits != 0; bits &= bits - 1) {
             const auto s = static_cast<std::size_t>(std::countr_zero(bits));
             Row entry = fill(0.0F);
@@ -126,10 +127,12 @@ private:
                 entry = max(entry, min(low, high));
                 exit = min(exit, max(low, high));
             }
-            met[s] = static_cast<RayBlock::LaneBits>((entry <= exit).bits() & m_rays.alive[s]);
-            count += static_cast<std::size_t>(std::popcount(met[s]));
-            strata &= met[s] != 0 ? ~0U : ~(bits & -bits);
+            const unsigned lanes = (entry <= exit).bits() & m_rays.alive[s];
+            met[s] = static_cast<RayBlock::LaneBits>(lanes);
+            count += static_cast<std::size_t>(std::popcount(lanes));
+            passing |= static_cast<unsigned>(lanes != 0) << s;
         }
+        strata = passing;
         return count;
     }
 
