@@ -143,7 +143,7 @@ private:
         for (; strata != 0; strata &= strata - 1) {
             const auto s = static_cast<std::uint32_t>(std::countr_zero(strata));
             fill_numbers(node, &m_scratch.nodes[m_ray_count]);
-            m_ray_count += compress(lane_numbers, met[s], &m_scratch.rays[m_ray_count], 16 * s);
+            m_ray_count += compress(lane_numbers, mask_from_bits(met[s]), &m_scratch.rays[m_ray_count], 16 * s);
         }
         work_off_rays(ray_batch);
     }
@@ -198,17 +198,13 @@ private:
             entry = max(entry, multiply_subtract(load(node.planes[near]), inverse, fill(m_rays.offset[s][near][lane])));
             exit = min(exit, multiply_subtract(load(node.planes[far]), inverse, fill(m_rays.offset[s][far][lane])));
         }
-        const unsigned met = (entry <= exit).bits();
-        const unsigned leaves = met & leaf_lanes(node);
-        fill_numbers(ray, &waiting.rays[waiting.ray_count]);
-        waiting.ray_count += compress(node.children, met & ~leaves, &waiting.nodes[waiting.ray_count]);
-        fill_numbers(ray, &m_leaf_rays[waiting.leaf_count]);
-        waiting.leaf_count += compress(node.children, leaves, &m_leaves[waiting.leaf_count]);
-    }
-
-    [[nodiscard]] static HWY_INLINE unsigned leaf_lanes(const WideNode& node) {
+        const RowMask met = entry <= exit;
         static_assert(leaf_bit == 0x80000000U);
-        return top_bits(node.children);
+        const RowMask leaves = with_top_bit(node.children);
+        fill_numbers(ray, &waiting.rays[waiting.ray_count]);
+        waiting.ray_count += compress(node.children, and_not(met, leaves), &waiting.nodes[waiting.ray_count]);
+        fill_numbers(ray, &m_leaf_rays[waiting.leaf_count]);
+        waiting.leaf_count += compress(node.children, met & leaves, &m_leaves[waiting.leaf_count]);
     }
 
     static HWY_INLINE void fetch(const void* data, std::size_t size) {
@@ -233,7 +229,7 @@ private:
                 continue;
             }
             fill_numbers(leaf, &m_leaves[m_leaf_count]);
-            m_leaf_count += compress(lane_numbers, met[s], &m_leaf_rays[m_leaf_count], 16 * s);
+            m_leaf_count += compress(lane_numbers, mask_from_bits(met[s]), &m_leaf_rays[m_leaf_count], 16 * s);
         }
         if (m_leaf_count >= leaf_batch) {
             work_off_leaves();

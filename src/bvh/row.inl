@@ -151,6 +151,11 @@ template<std::size_t Parts>
 HWY_INLINE WideMask<Parts> operator|(const WideMask<Parts>& a, const WideMask<Parts>& b) {
     return each_mask<Parts>([&](std::size_t p) HWY_ATTR { return hn::Or(a.part[p], b.part[p]); });
 }
+/// The lanes of a that are not of b.
+template<std::size_t Parts>
+HWY_INLINE WideMask<Parts> and_not(const WideMask<Parts>& a, const WideMask<Parts>& b) {
+    return each_mask<Parts>([&](std::size_t p) HWY_ATTR { return hn::AndNot(b.part[p], a.part[p]); });
+}
 template<std::size_t Parts>
 HWY_INLINE Wide<Parts> select(const WideMask<Parts>& mask, const Wide<Parts>& yes, const Wide<Parts>& no) {
     return each_part<Parts>([&](std::size_t p)
@@ -165,17 +170,17 @@ HWY_INLINE RowMask mask_from_bits(unsigned bits) {
     });
 }
 
-/// Writes the numbers in the lanes of `bits`, each with `added`, one after the other from `to` on, where room for 16
+/// Writes the numbers in the lanes of the mask, each with `added`, one after the other from `to` on, where room for 16
 /// must be. Returns how many.
-HWY_INLINE std::size_t compress(const std::array<std::uint32_t, row_size>& numbers, unsigned bits, std::uint32_t* to,
-                                std::uint32_t added = 0) {
+HWY_INLINE std::size_t compress(const std::array<std::uint32_t, row_size>& numbers, const RowMask& mask,
+                                std::uint32_t* to, std::uint32_t added = 0) {
     const hn::RebindToUnsigned<Lanes> unsigned_lanes;
     const auto part = [&](std::size_t p) HWY_ATTR {
         return hn::Load(unsigned_lanes, numbers.data() + p * part_size) + hn::Set(unsigned_lanes, added);
     };
+    const unsigned bits = mask.bits();
     if constexpr (part_count == 1) {
-        const auto mask = hn::RebindMask(unsigned_lanes, mask_from_bits(bits).part[0]);
-        hn::StoreU(hn::Compress(part(0), mask), unsigned_lanes, to);
+        hn::StoreU(hn::Compress(part(0), hn::RebindMask(unsigned_lanes, mask.part[0])), unsigned_lanes, to);
     } else {
         // Not by CompressStore: Highway 1.0.3 with GCC 12 copies its table of a kilobyte to the stack at every call.
         for (std::size_t p = 0, count = 0; p < part_count; ++p) {
@@ -214,14 +219,13 @@ HWY_INLINE RowMask differ(const std::array<std::uint32_t, row_size>& numbers, st
     });
 }
 
-/// Bit l: the highest bit of lane l's number.
-HWY_INLINE unsigned top_bits(const std::array<std::uint32_t, row_size>& numbers) {
+/// The lanes whose number has its highest bit set.
+HWY_INLINE RowMask with_top_bit(const std::array<std::uint32_t, row_size>& numbers) {
     const hn::RebindToSigned<Lanes> signed_lanes;
-    const RowMask negative = each_mask<part_count>([&](std::size_t p) HWY_ATTR {
+    return each_mask<part_count>([&](std::size_t p) HWY_ATTR {
         const auto row = hn::Load(hn::RebindToUnsigned<Lanes>(), numbers.data() + p * part_size);
         return hn::RebindMask(Lanes(), hn::MaskFromVec(hn::BroadcastSignBit(hn::BitCast(signed_lanes, row))));
     });
-    return negative.bits();
 }
 
 /// For each lane of a part a lane of a row.
