@@ -18,8 +18,11 @@ namespace {
 // From the arrays' sizes and from peaks of the resident set that tools/extremes/memory.sh measured (x86-64, glibc, Mesa
 // 22.3.6), rounded up.
 
-/// The program, its libraries and llvmpipe with the passes compiled; measured 203 MB.
-constexpr std::uint64_t program_bytes = 256U << 20U;
+/// The program, its libraries and llvmpipe with the passes compiled; measured 100 MB.
+constexpr std::uint64_t program_bytes = 128U << 20U;
+/// OpenImageIO's libraries, where images are read; measured 103 MB. HDR needs them too: when it is written, geometry
+/// image and tiles are gone, which are more from maps of 1500² texels on.
+constexpr std::uint64_t codec_bytes = 128U << 20U;
 /// Surface 104, atlas 32, and the greater of what makes the atlas and of what builds and keeps the accelerator;
 /// measured 320 with a million triangles.
 constexpr std::uint64_t triangle_bytes = 500;
@@ -191,6 +194,7 @@ MemoryNeed memory_need(const Scene& scene, const Sky& sky, const Settings& setti
     const std::uint64_t sky_texels = std::visit(SkyTexels(), sky.source);
     MemoryNeed need{.held = bytes_of(scene) + sky_texels * sizeof(glm::vec4),
                     .sky_texels = settings.mode == Mode::irradiance ? sky_texels : 0,
+                    .images = sky_texels > 0 || !scene.images.empty(),
                     .triangles = triangles,
                     .opacity = opacity_bytes(scene, settings),
                     .maps = settings.layout == Layout::object ? objects : 1,
@@ -223,8 +227,8 @@ std::uint64_t peak_memory(const MemoryNeed& need) {
     const std::uint64_t touched = touched_work_texel_bytes -
                                   (need.copied ? copied_work_texel_bytes : work_texel_bytes) +
                                   (need.estimated ? estimated_work_texel_bytes : 0);
-    return program_bytes + need.held + sky_texel_bytes * need.sky_texels + triangle_bytes * need.triangles +
-           need.opacity + (every_map * need.maps + whole) * texels +
+    return program_bytes + (need.images ? codec_bytes : 0) + need.held + sky_texel_bytes * need.sky_texels +
+           triangle_bytes * need.triangles + need.opacity + (every_map * need.maps + whole) * texels +
            touched_map_texel_bytes * share_of(need.touched, need.maps * texels) +
            touched * share_of(need.most_touched, texels) + tile_bytes(need, side);
 }

@@ -15,6 +15,7 @@ namespace vkbake {
 struct MemoryNeed {
     std::uint64_t held = 0;       ///< bytes that scene and sky take already
     std::uint64_t sky_texels = 0; ///< of a picture; it is copied for look-ups
+    bool images = false;          ///< whether scene or sky have image files
     std::uint64_t triangles = 0;  ///< over all instances
     std::uint64_t opacity = 0;    ///< bytes: opacity_bytes()
     std::uint64_t maps = 1;
@@ -34,7 +35,8 @@ struct MemoryNeed {
                                      const Atlas* atlas = nullptr);
 
 /// Bytes that the process takes at most from bake to the end of write_bake, Mesa's software driver included (other
-/// drivers keep much of this in the device's own memory). An upper bound of what was measured: see the .cpp.
+/// drivers keep much of this in the device's own memory). An upper bound of what was measured: see the .cpp. Small maps
+/// written as HDR, of a scene without images, may take 100 MiB more.
 [[nodiscard]] std::uint64_t peak_memory(const MemoryNeed& need);
 
 /// What a bake may take: settings.memory_limit, or three quarters of what the machine has.

@@ -7,7 +7,7 @@ packages=(
     g++ cmake ninja-build pkg-config
     # libraries
     libvulkan-dev libglm-dev libeigen3-dev libtbb-dev libhwy-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev
-    libopenimageio-dev librsvg2-dev libxxhash-dev libcli11-dev libfmt-dev
+    libopenimageio-dev libopenexr-dev libpng-dev librsvg2-dev libxxhash-dev libcli11-dev libfmt-dev
     # running: a software Vulkan driver
     mesa-vulkan-drivers
     # tests

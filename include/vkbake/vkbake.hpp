@@ -56,8 +56,9 @@ struct WriteSettings {
 std::vector<std::filesystem::path> write_bake(const Scene& scene, const Bake& bake, const WriteSettings& settings,
                                               const Progress& progress = {});
 
-/// Loads what reads and writes image files, up to half a second's work that else waits for the first image. A program
-/// may call it beside other work, from any thread, and so know early whether it is there. Throws Error{bake_failed}.
+/// Loads what reads image files and writes HDR, up to half a second's work that else waits for the first such image. A
+/// program may call it beside other work, from any thread, and so know early whether it is there. Throws
+/// Error{bake_failed}.
 void load_image_codec();
 
 /// EXR, HDR, PNG or JPEG, told from the first bytes; 8-bit files are taken for sRGB and linearised. Throws

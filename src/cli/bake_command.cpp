@@ -130,13 +130,16 @@ double writing_seconds(const Settings& settings) {
     return a_texel * settings.size * settings.size;
 }
 
-/// Loads the image codec while rays are traced, which takes other cores and no lock; drivers, in the stages before,
-/// wait for the dynamic linker. A bake that could write nothing ends as soon as that is known.
+/// Loads the image codec, where the format needs it, while rays are traced, which takes other cores and no lock;
+/// drivers, in the stages before, wait for the dynamic linker. A bake that could write nothing ends as soon as that is
+/// known.
 class CodecAhead {
 public:
+    explicit CodecAhead(LightMapFormat format) : m_needed(format == LightMapFormat::hdr) {}
+
     void poll(const ProgressReport& report) {
-        if (!m_begun && report.stage == "trace") {
-            m_begun = true;
+        if (m_needed && report.stage == "trace") {
+            m_needed = false;
             m_loading = std::async(std::launch::async, load_image_codec);
         }
         if (m_loading.valid() && m_loading.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
@@ -145,7 +148,7 @@ public:
     }
 
 private:
-    bool m_begun = false;
+    bool m_needed;
     std::future<void> m_loading;
 };
 
@@ -167,7 +170,7 @@ int run_bake(BakeOptions options) {
     std::vector<std::filesystem::path> files;
     {
         ProgressLine line(options.quiet);
-        CodecAhead codec;
+        CodecAhead codec(format);
         result = bake(scene, sky, settings, device, [&](const ProgressReport& report) {
             codec.poll(report);
             return line.update(report);

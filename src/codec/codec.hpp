@@ -56,8 +56,8 @@ struct EncodedFile {
 /// empty.
 using Poll = std::function<void()>;
 
-/// Of PNG, JPEG, EXR and HDR, told from a file's first bytes. Calls from several threads at a time are fine. The same
-/// image gives the same bytes: no file carries a time.
+/// Reads PNG, JPEG, EXR and HDR, told from a file's first bytes, and writes HDR; what bakes write by default needs no
+/// module (imageio/encode.hpp). Calls from several threads at a time are fine.
 class Codec {
 public:
     Codec() = default;
@@ -78,16 +78,8 @@ public:
     /// Width and height alone, from the header. Throws Error{bad_input} as read_bytes.
     [[nodiscard]] virtual std::pair<int, int> read_size(std::span<const std::byte> bytes, const std::string& name,
                                                         const SampleLimits& limits) const = 0;
-    /// PNG files have alpha only where it is not 1 everywhere. Throws Error{output} where the image's arrays do not fit
-    /// its size.
-    [[nodiscard]] virtual EncodedFile encode(const Image& image, ImageFormat format, const Attributes& attributes,
-                                             const Poll& poll) const = 0;
-    /// A PNG from width · height · channels bytes; `space` names their colour space: "sRGB" or "Linear". Throws
-    /// Error{output}.
-    [[nodiscard]] virtual std::vector<std::uint8_t> encode_png(int width, int height, int channels,
-                                                               std::span<const std::uint8_t> texels,
-                                                               std::string_view space, const Attributes& attributes,
-                                                               const Poll& poll) const = 0;
+    /// As encode_image (imageio/encode.hpp) writes HDR: the image's arrays fit its size. Throws Error{output}.
+    [[nodiscard]] virtual EncodedFile encode_hdr(const Image& image, const Poll& poll) const = 0;
 };
 
 /// What the module exports, under this name; never null. Its file's name carries the version, so both sides agree on

@@ -1,4 +1,4 @@
-#include "codec/encode.hpp"
+#include "codec/encode_hdr.hpp"
 #include "codec/read.hpp"
 
 namespace vkbake {
@@ -25,15 +25,8 @@ public:
         return vkbake::read_size(bytes, name, limits);
     }
 
-    [[nodiscard]] EncodedFile encode(const Image& image, ImageFormat format, const Attributes& attributes,
-                                     const Poll& poll) const override {
-        return encode_file(image, format, attributes, poll);
-    }
-
-    [[nodiscard]] std::vector<std::uint8_t> encode_png(int width, int height, int channels,
-                                                       std::span<const std::uint8_t> texels, std::string_view space,
-                                                       const Attributes& attributes, const Poll& poll) const override {
-        return encode_png_bytes(width, height, channels, texels, space, attributes, poll);
+    [[nodiscard]] EncodedFile encode_hdr(const Image& image, const Poll& poll) const override {
+        return vkbake::encode_hdr(image, poll);
     }
 };
 
